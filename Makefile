@@ -1,0 +1,26 @@
+# The user's entry points. Each does the set-up that it needs and is quick when nothing changed.
+.PHONY: build demo test bench clean format
+
+build: build/.packages
+	@cmake --preset release -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build --preset release
+
+build/.packages: packages.txt tools/install_packages
+	@mkdir -p build
+	@tools/install_packages
+	@touch $@
+
+demo: build
+	@examples/demo/run
+
+test: build
+	@ctest --preset release -j2
+
+bench: build
+	@bench/run
+
+format:
+	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i
+
+clean:
+	@rm -rf build out

@@ -1,0 +1,33 @@
+# Settings that every target of the project shares.
+
+# The same bits on every machine: no fused multiply-add that the compiler picks by itself.
+function(gmcr_target_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off
+    # false alarms of g++ 12 inside Eigen
+    -Wno-maybe-uninitialized -Wno-array-bounds)
+  if(GMCR_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# gmcr_library(NAME [PUBLIC libs...] [PRIVATE libs...]): target gmcr_NAME, or gmcr for the core, alias gmcr::NAME.
+function(gmcr_library name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  if(name STREQUAL "gmcr")
+    set(target gmcr)
+  else()
+    set(target gmcr_${name})
+  endif()
+  add_library(${target})
+  add_library(gmcr::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  gmcr_target_defaults(${target})
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+           $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()

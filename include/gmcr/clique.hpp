@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "gmcr/bitset_graph.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// How a clique search may end early and what it may start from.
+struct CliqueOptions {
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
+  std::uint64_t max_nodes = std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
+  std::vector<Index> initial_clique;  ///< known clique to start from; may be empty
+  /// Report only a clique with more vertices than this; 0 reports any. A search that proves that
+  /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
+  Index must_exceed = 0;
+
+  /// @throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+/// What a clique search found and proved.
+struct CliqueResult {
+  std::vector<Index> vertices;  ///< ascending; a clique of the graph
+  Index upper_bound = 0;        ///< proven: no clique is larger; valid also after an early end
+  bool proven_optimal = false;  ///< upper_bound == max(vertices.size(), must_exceed)
+  std::uint64_t nodes = 0;      ///< search nodes visited
+};
+
+/// Maximum clique of `graph`, exact unless a limit of `options` binds.
+///
+/// Degeneracy order, greedy incumbent, then branch and bound with greedy colouring bounds over
+/// bit rows (Tomita and Seki 2003; San Segundo et al. 2011) on the right-neighbourhood of each vertex.
+/// Deterministic: the same graph and options without a time limit give the same vertices.
+/// @throws std::invalid_argument where an option is out of range or `initial_clique` is no clique.
+/// Cost O(E) before the search; exponential in the worst case, so set a limit for unknown graphs.
+CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options = {});
+
+/// A maximum clique solver that the registration can be told to use instead of `max_clique`.
+class CliqueSolver {
+ public:
+  virtual ~CliqueSolver() = default;
+
+  /// Same contract as `max_clique`; called from one thread at a time.
+  virtual CliqueResult solve(const BitsetGraph& graph, const CliqueOptions& options) const = 0;
+};
+
+}  // namespace gmcr

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gmcr/clique.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+enum class Method {
+  Gmcr,   ///< many candidates judged by the objective on all correspondences, with a certificate
+  Paper,  ///< the stages of the paper: scale, rotation and translation, one maximum clique each
+};
+
+enum class Evidence {
+  Distinct,  ///< correspondences that say the same thing twice share one vote
+  Count,     ///< every inlier counts 1: plain maximum consensus
+};
+
+enum class ScaleMode {
+  Known,      ///< `Options::scale` is the scale
+  Estimated,  ///< the scale is searched for, inside `Options::scale_range` if given
+};
+
+/// Closed interval of scales, 0 < min <= max.
+struct ScaleRange {
+  double min = 0;
+  double max = 0;
+};
+
+/// What a solve may use. Where one binds, the result says so in `Diagnostics::limits_hit`.
+struct Budget {
+  double time = 60;                       ///< seconds of wall time, > 0; infinity for none
+  std::size_t memory = std::size_t{4} << 30;  ///< bytes for graphs, > 0
+};
+
+/// How far a solve has come.
+struct Progress {
+  const char* stage = "";  ///< name of the stage, as in `Diagnostics::stages`
+  double fraction = 0;     ///< share of the stage that is done, in [0, 1]
+};
+
+/// Called now and then from the thread that called the solver; return false to stop the search,
+/// which then ends as if its time were up.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+/// Every choice a caller can make. The defaults here are the only ones: the tool reads them.
+struct Options {
+  /// Bound on the noise of a target point, metres, > 0. Required unless `noise_bounds` is given.
+  double noise_bound = 0;
+  /// One bound per correspondence, metres, each > 0; overrides `noise_bound`. Empty: not used.
+  std::vector<double> noise_bounds;
+  /// Inlier threshold c of the paper, > 0: i is an inlier iff its residual <= noise_bound_i / c.
+  double threshold = 1;
+
+  ScaleMode scale_mode = ScaleMode::Known;
+  double scale = 1;  ///< the scale when known, > 0
+  /// Where to search when the scale is estimated; from the data when not given.
+  std::optional<ScaleRange> scale_range;
+
+  Method method = Method::Gmcr;
+  Evidence evidence = Evidence::Distinct;
+  /// Keep only the first of the correspondences that share a source or a target point.
+  bool one_to_one = false;
+
+  int num_threads = 0;  ///< >= 0; 0 uses every core. The result does not depend on it.
+  Budget budget;
+  std::shared_ptr<const CliqueSolver> clique_solver;  ///< null: `max_clique`
+  ProgressCallback progress;                          ///< null: none
+
+  /// @throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+}  // namespace gmcr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gmcr/options.hpp"
+#include "gmcr/result.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// Transform that most of the putative correspondences source.col(i) -> target.col(i) agree with.
+///
+/// Maximises the evidence of { i : |target_i - (s R source_i + t)| <= noise_bound_i / threshold }
+/// (Gentner et al. 2023, eq:pcr_maxcon) by consistency graphs and maximum cliques, and bounds from
+/// above how many inliers any transform can have.
+/// @param source, target  3 x N, the same N, metres, finite.
+/// @return status, transform, inliers, certificate and diagnostics.
+/// @throws std::invalid_argument on a shape mismatch, a value that is not finite, or a bad option,
+///   before any work.
+/// Cost: O(N^2) time and N^2 / 8 bytes for the graph; the clique search is exponential in the worst
+/// case and bounded by `options.budget`. Deterministic for any thread count unless the time binds.
+Result register_correspondences(const PointsRef& source, const PointsRef& target,
+                                const Options& options);
+
+}  // namespace gmcr

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// Threads that `num_threads` asks for: itself, or every core this process may use for 0.
+int resolve_num_threads(int num_threads);
+
+/// Calls body(begin, end) on disjoint ranges that cover [0, count), on up to `num_threads` threads.
+///
+/// The ranges have `grain` indices each (the last may have fewer) for any number of threads, so a
+/// body that writes only to its own range, or to a slot of index begin / grain, gives the same bits
+/// for any number of threads. An exception of a body reaches the caller.
+void parallel_for(Index count, Index grain, int num_threads,
+                  const std::function<void(Index begin, Index end)>& body);
+
+}  // namespace gmcr
