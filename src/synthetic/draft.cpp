@@ -1,0 +1,80 @@
+#include "synthetic/draft.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace gmcr::synthetic {
+
+Index num_outliers(const SyntheticOptions& options) {
+  return std::llround(options.outlier_rate * static_cast<double>(options.num_correspondences));
+}
+
+Similarity draw_transform(const SyntheticOptions& options, Random& random) {
+  Similarity transform;
+  transform.scale = random.uniform(options.scale_range.min, options.scale_range.max);
+  transform.rotation = random.rotation();
+  transform.translation = random.in_cube(options.max_translation);
+  return transform;
+}
+
+Eigen::Vector3d draw_noise(const SyntheticOptions& options, Random& random) {
+  const double extent = options.noise_extent;
+  if (options.noise_shape == NoiseShape::Ball) return random.in_ball(extent);
+  if (options.noise_shape == NoiseShape::Cube) return random.in_cube(extent);
+  Eigen::Vector3d noise;
+  do {
+    for (double& coordinate : noise) coordinate = extent / 3 * random.normal();
+  } while (noise.norm() > extent);
+  return noise;
+}
+
+Draft::Draft(const SyntheticOptions& options, const Similarity& target_from_source) {
+  const Index count = options.num_correspondences;
+  problem_.source.resize(3, count);
+  problem_.target.resize(3, count);
+  problem_.is_inlier.resize(static_cast<std::size_t>(count));
+  problem_.target_from_source = target_from_source;
+  problem_.noise_bound = options.noise_bound;
+}
+
+bool Draft::fits(const Eigen::Vector3d& source, const Eigen::Vector3d& target) const {
+  return (target - problem_.target_from_source * source).norm() <= problem_.noise_bound;
+}
+
+void Draft::add_inlier(const Eigen::Vector3d& source, const Eigen::Vector3d& target) {
+  add(source, target, true);
+}
+
+void Draft::add_outlier(const std::function<std::pair<Eigen::Vector3d, Eigen::Vector3d>()>& draw) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    const auto [source, target] = draw();
+    if (fits(source, target)) continue;
+    add(source, target, false);
+    return;
+  }
+  throw std::invalid_argument("noise_bound: " + std::to_string(problem_.noise_bound) +
+                              " leaves no room for outliers");
+}
+
+void Draft::add(const Eigen::Vector3d& source, const Eigen::Vector3d& target, bool is_inlier) {
+  problem_.source.col(size_) = source;
+  problem_.target.col(size_) = target;
+  problem_.is_inlier[static_cast<std::size_t>(size_)] = is_inlier;
+  ++size_;
+}
+
+SyntheticProblem Draft::shuffled(Random& random) const {
+  SyntheticProblem result = problem_;
+  const std::vector<Index> order = random.sample(size_, size_);
+  for (Index i = 0; i < size_; ++i) {
+    const Index from = order[static_cast<std::size_t>(i)];
+    result.source.col(i) = problem_.source.col(from);
+    result.target.col(i) = problem_.target.col(from);
+    result.is_inlier[static_cast<std::size_t>(i)] =
+        problem_.is_inlier[static_cast<std::size_t>(from)];
+  }
+  return result;
+}
+
+}  // namespace gmcr::synthetic
