@@ -35,7 +35,7 @@ struct ScaleRange {
 
 /// What a solve may use. Where one binds, the result says so in `Diagnostics::limits_hit`.
 struct Budget {
-  double time = 60;                       ///< seconds of wall time, > 0; infinity for none
+  double time = 60;                           ///< seconds of wall time, > 0; infinity for none
   std::size_t memory = std::size_t{4} << 30;  ///< bytes for graphs, > 0
 };
 
@@ -53,7 +53,7 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 struct Options {
   /// Bound on the noise of a target point, metres, > 0. Required unless `noise_bounds` is given.
   double noise_bound = 0;
-  /// One bound per correspondence, metres, each > 0; overrides `noise_bound`. Empty: not used.
+  /// One bound per correspondence, metres, each > 0, instead of `noise_bound`. Empty: not used.
   std::vector<double> noise_bounds;
   /// Inlier threshold c of the paper, > 0: i is an inlier iff its residual <= noise_bound_i / c.
   double threshold = 1;

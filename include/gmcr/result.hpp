@@ -13,7 +13,7 @@ enum class Status {
   Ok,                     ///< `target_from_source` and `inliers` are the answer
   TooFewCorrespondences,  ///< fewer than 3; nothing was estimated, the transform is the identity
   NoConsensus,            ///< no pose has 3 inliers; the transform is the identity
-  Degenerate,             ///< the inliers do not determine the transform; it is one of many that fit
+  Degenerate,  ///< the inliers do not determine the transform; it is one of many that fit
 };
 
 /// How far the consensus can be from the best possible, in numbers of inliers.
@@ -32,10 +32,10 @@ struct StageTime {
 struct Diagnostics {
   std::vector<StageTime> stages;  ///< in order of first use; times of repeated stages are summed
   double total_seconds = 0;
-  Index num_correspondences = 0;      ///< in the input
-  Index num_used = 0;                 ///< after the one-to-one test
-  Index num_candidates = 0;           ///< poses judged on all correspondences
-  Index num_scale_ranges = 0;         ///< scale ranges whose graph was searched
+  Index num_correspondences = 0;       ///< in the input
+  Index num_used = 0;                  ///< after the one-to-one test
+  Index num_candidates = 0;            ///< poses judged on all correspondences
+  Index num_scale_ranges = 0;          ///< scale ranges whose graph was searched
   std::uint64_t num_clique_nodes = 0;  ///< search nodes of all clique searches
   int num_threads = 0;
   /// One sentence for each limit that made the work less than complete; empty: none did.

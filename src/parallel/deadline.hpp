@@ -5,7 +5,8 @@
 
 namespace gmcr {
 
-/// Point in time at which work has to end. The only place of the library that reads a clock to decide.
+/// Point in time at which work has to end. The only place of the library that reads a clock to
+/// decide.
 class Deadline {
  public:
   /// @param seconds  from now; infinity for never.
@@ -17,9 +18,7 @@ class Deadline {
   double remaining() const { return std::max(0.0, seconds_ - elapsed()); }
 
   /// Seconds since construction.
-  double elapsed() const {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,0 +1,29 @@
+#include "consensus/consistency_graph.hpp"
+
+#include <limits>
+
+#include "consensus/graph_rows.hpp"
+
+namespace gmcr {
+
+kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
+                                                 double scale_max) {
+  // a residual of the caller's coordinates is off by a few units in the last place of its terms
+  const double source_size =
+      max_norm(correspondences.source) + correspondences.source_origin.norm();
+  const double target_size =
+      max_norm(correspondences.target) + correspondences.target_origin.norm();
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * (target_size + scale_max * source_size);
+  return {correspondences.source.transpose(), correspondences.target.transpose(),
+          correspondences.bounds + rounding};
+}
+
+BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
+                              int num_threads) {
+  return graph_from_rows(arrays.size(), num_threads, [&](Index i, auto row) {
+    kernels::consistency_row(arrays, i, scales.min, scales.max, row);
+  });
+}
+
+}  // namespace gmcr

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gmcr/bitset_graph.hpp"
+#include "parallel/parallel_for.hpp"
+
+namespace gmcr {
+
+/// Graph whose row v is written by write_row(v, row), which must be symmetric. Rows in parallel.
+template <typename WriteRow>
+BitsetGraph graph_from_rows(Index num_vertices, int num_threads, const WriteRow& write_row) {
+  constexpr Index kRowsPerChunk = 64;
+  BitsetGraph graph(num_vertices);
+  parallel_for(num_vertices, kRowsPerChunk, num_threads, [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) write_row(v, graph.mutable_row(v));
+  });
+  return graph;
+}
+
+}  // namespace gmcr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gmcr/options.hpp"
+#include "kernels/consistency_row.hpp"
+
+namespace gmcr {
+
+/// A range of scales cut into bins of equal ratio.
+class ScaleBins {
+ public:
+  /// @param ratio  upper over lower edge of a bin, > 1; the last bin may be narrower.
+  ScaleBins(const ScaleRange& range, double ratio);
+
+  Index size() const { return count_; }
+  ScaleRange operator[](Index bin) const;
+
+  /// Bins that [lower, upper] can meet, as [first, last]; first > last: none. Never misses one; may
+  /// name a neighbour that it only touches.
+  std::pair<Index, Index> covering(double lower, double upper) const;
+
+ private:
+  ScaleRange range_;
+  double log_min_, log_ratio_;
+  Index count_;
+};
+
+/// How much evidence votes for each bin.
+struct ScaleVotes {
+  std::vector<Index> pairs;      ///< number of pairs whose interval (L1) meets the bin
+  std::vector<double> evidence;  ///< sum over those pairs of w_i w_j
+};
+
+/// Votes of all pairs, streamed: no record of a pair is kept (L5).
+/// @param weight  w_i at a bin: weight(i, bin); must be safe to call from several threads.
+/// Cost O(N^2 + bins), memory O(bins) a chunk of rows.
+ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+                             const std::function<double(Index i, Index bin)>& weight,
+                             int num_threads);
+
+}  // namespace gmcr

@@ -1,0 +1,18 @@
+#include "estimation/scale.hpp"
+
+#include <cmath>
+
+namespace gmcr {
+
+double estimate_scale(const Eigen::ArrayXd& scales, const Eigen::ArrayXd& alphas) {
+  double weighted_sum = 0, weight_sum = 0;
+  for (Eigen::Index k = 0; k < scales.size(); ++k) {
+    if (!std::isfinite(alphas[k])) continue;
+    const double weight = 1 / (alphas[k] * alphas[k]);
+    weighted_sum += weight * scales[k];
+    weight_sum += weight;
+  }
+  return weighted_sum / weight_sum;
+}
+
+}  // namespace gmcr

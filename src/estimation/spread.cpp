@@ -1,0 +1,18 @@
+#include "estimation/spread.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace gmcr {
+
+Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices) {
+  if (indices.empty()) return {};
+  const Points chosen = points(Eigen::all, indices);
+  const Points centred = chosen.colwise() - chosen.rowwise().mean().eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(centred * centred.transpose());
+  const Eigen::Vector3d axis = eigen.eigenvectors().col(2);
+  const Points off_axis = centred - axis * (axis.transpose() * centred);
+  return {centred.colwise().norm().maxCoeff(), off_axis.colwise().norm().maxCoeff()};
+}
+
+}  // namespace gmcr

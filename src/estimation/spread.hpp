@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// How far chosen points reach from their centroid and from the line through it that fits them
+/// best.
+struct Spread {
+  double from_centroid = 0;  ///< metres; 0: all points coincide
+  double from_line = 0;      ///< metres; 0: all points are on one line
+};
+
+/// Cost O(number of indices). An empty set has no spread.
+Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices);
+
+}  // namespace gmcr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+
+#include "gmcr/types.hpp"
+
+namespace gmcr::kernels {
+
+/// Correspondences as one array a coordinate, the layout that the row kernels read.
+struct CorrespondenceArrays {
+  Eigen::MatrixX3d source, target;  ///< N x 3, metres
+  Eigen::ArrayXd bounds;            ///< N inlier bounds, metres
+
+  Index size() const { return source.rows(); }
+};
+
+/// Which correspondences agree with number `i` at some scale of [scale_min, scale_max] (L1):
+///   |b_j - b_i| - e <= scale_max |a_j - a_i|  and  |b_j - b_i| + e >= scale_min |a_j - a_i|,
+/// with e = bounds_i + bounds_j.
+/// @param row  (N + 63) / 64 words; bit j is set iff j agrees with i and j != i.
+/// Symmetric in i and j, bit for bit. Cost O(N).
+void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                     double scale_max, std::span<std::uint64_t> row);
+
+/// Lengths |a_j - a_i| and |b_j - b_i| for each j in [i + 1, N), in order.
+/// @param source_lengths, target_lengths  N - i - 1 values, metres.
+void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
+                  std::span<double> target_lengths);
+
+}  // namespace gmcr::kernels
