@@ -1,0 +1,91 @@
+#include "clique/branch_and_bound.hpp"
+
+namespace gmcr {
+
+BranchAndBound::Outcome BranchAndBound::search(RowsView graph, Index to_beat,
+                                               SearchBudget& budget) {
+  graph_ = graph;
+  selector_.reset(graph);
+  best_size_ = std::max<Index>(0, to_beat);
+  best_.clear();
+  chosen_.clear();
+  branches_.clear();
+  first_branch_.clear();
+  candidates_.assign(graph.words_per_row, 0);
+  for (Index v = 0; v < graph.num_vertices; ++v) set_bit(candidates_.data(), v);
+
+  enter_level();
+  Index left_over = 0;
+  while (!first_branch_.empty()) {
+    if (branches_.size() == first_branch_.back() || branch_bound() <= best_size_) {
+      leave_level();
+    } else if (budget.spend_node(words_per_node())) {
+      visit_next_branch();
+    } else {
+      left_over = unfinished_bound();
+      break;
+    }
+  }
+  return {best_, std::max(best_size_, left_over)};
+}
+
+void BranchAndBound::enter_level() {
+  const Index level = static_cast<Index>(first_branch_.size());
+  first_branch_.push_back(branches_.size());
+  const bool is_clique = selector_.select(candidates(level), best_size_ - level, branches_);
+  if (is_clique) {
+    // The candidates complete the clique at once; no branch can do better.
+    branches_.resize(first_branch_.back());
+    record_clique(candidates(level));
+  }
+}
+
+void BranchAndBound::leave_level() {
+  branches_.resize(first_branch_.back());
+  first_branch_.pop_back();
+  if (!chosen_.empty()) chosen_.pop_back();
+}
+
+void BranchAndBound::visit_next_branch() {
+  const Index level = static_cast<Index>(first_branch_.size()) - 1;
+  const Index words = graph_.words_per_row;
+  const Index v = branches_.back().vertex;
+  branches_.pop_back();
+  chosen_.push_back(v);
+  if (static_cast<Index>(candidates_.size()) < (level + 2) * words) {
+    candidates_.resize(2 * (level + 2) * words);
+  }
+  Word* here = candidates(level);
+  Word* next = candidates(level + 1);
+  const Word* row = graph_.row(v);
+  clear_bit(here, v);
+  for (Index w = 0; w < words; ++w) next[w] = here[w] & row[w];
+  enter_level();
+}
+
+void BranchAndBound::record_clique(const Word* rest) {
+  const Index size = static_cast<Index>(chosen_.size()) + count_bits(rest, graph_.words_per_row);
+  if (size <= best_size_) return;
+  best_size_ = size;
+  best_ = chosen_;
+  for_each_bit(rest, graph_.words_per_row, [&](Index v) { best_.push_back(v); });
+}
+
+Index BranchAndBound::branch_bound() const {
+  return static_cast<Index>(chosen_.size()) + branches_.back().bound;
+}
+
+Index BranchAndBound::unfinished_bound() const {
+  Index bound = 0;
+  for (std::size_t level = 0; level < first_branch_.size(); ++level) {
+    const std::size_t end =
+        level + 1 < first_branch_.size() ? first_branch_[level + 1] : branches_.size();
+    // The last branch of a level has its largest bound.
+    if (end > first_branch_[level]) {
+      bound = std::max(bound, static_cast<Index>(level) + branches_[end - 1].bound);
+    }
+  }
+  return bound;
+}
+
+}  // namespace gmcr

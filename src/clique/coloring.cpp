@@ -1,0 +1,68 @@
+#include "clique/coloring.hpp"
+
+namespace gmcr {
+namespace {
+
+/// Takes one independent set out of `uncolored`, smallest indices first, from vertex `first` if it
+/// is >= 0, and calls visit(v) for each member. `free` is scratch.
+template <typename Visit>
+void take_class(RowsView graph, Word* uncolored, Word* free, Index first, Visit visit) {
+  const Index words = graph.words_per_row;
+  std::copy(uncolored, uncolored + words, free);
+  const auto take = [&](Index v, Index from_word) {
+    const Word* row = graph.row(v);
+    for (Index w = from_word; w < words; ++w) free[w] &= ~row[w];
+    clear_bit(free, v);
+    clear_bit(uncolored, v);
+    visit(v);
+  };
+  if (first >= 0) take(first, 0);
+  for (Index w = 0; w < words; ++w) {
+    while (free[w] != 0) take(w * kBitsPerWord + std::countr_zero(free[w]), w);
+  }
+}
+
+}  // namespace
+
+Coloring color_greedily(RowsView graph, std::span<const Word> subset,
+                        std::span<const Index> seeds) {
+  Coloring result;
+  std::vector<Word> uncolored(subset.begin(), subset.end());
+  std::vector<Word> free(subset.size());
+  std::size_t next_seed = 0;
+  while (any_bit(uncolored.data(), graph.words_per_row)) {
+    Index seed = next_seed < seeds.size() ? seeds[next_seed] : -1;
+    ++next_seed;
+    if (seed >= 0 && !test_bit(uncolored.data(), seed)) seed = -1;
+    take_class(graph, uncolored.data(), free.data(), seed, [&](Index v) {
+      result.order.push_back(v);
+      result.color.push_back(result.num_colors);
+    });
+    ++result.num_colors;
+  }
+  return result;
+}
+
+Index color_bound(RowsView graph, std::span<const Word> subset) {
+  return color_greedily(graph, subset).num_colors;
+}
+
+Index color_bound(RowsView graph) {
+  std::vector<Word> all(graph.words_per_row, 0);
+  for (Index v = 0; v < graph.num_vertices; ++v) set_bit(all.data(), v);
+  return color_bound(graph, all);
+}
+
+bool colors_with(RowsView graph, std::span<const Word> subset, Index max_colors,
+                 std::vector<Word>& scratch) {
+  const Index words = graph.words_per_row;
+  scratch.resize(2 * subset.size());
+  std::copy(subset.begin(), subset.end(), scratch.begin());
+  Word* uncolored = scratch.data();
+  for (Index c = 0; c < max_colors && any_bit(uncolored, words); ++c) {
+    take_class(graph, uncolored, uncolored + words, -1, [](Index) {});
+  }
+  return !any_bit(uncolored, words);
+}
+
+}  // namespace gmcr

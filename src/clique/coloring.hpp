@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "clique/bit_rows.hpp"
+
+namespace gmcr {
+
+/// Proper colouring of some vertices of a graph: no two neighbours share a colour, so no clique
+/// of them has more vertices than there are colours.
+struct Coloring {
+  std::vector<Index> order;  ///< the coloured vertices, by ascending colour
+  std::vector<Index> color;  ///< color[i]: colour of order[i], 0, 1, ...
+  Index num_colors = 0;
+};
+
+/// Greedy sequential colouring, one colour class after the other (San Segundo et al. 2011).
+///
+/// @param subset  bit mask of the vertices to colour.
+/// @param seeds   vertices of the subset, distinct: seeds[i] opens class i where it is still
+///                uncoloured. A known clique as seeds makes the classes fit it.
+/// Deterministic. Cost O(k n / 64) for k vertices of n.
+Coloring color_greedily(RowsView graph, std::span<const Word> subset,
+                        std::span<const Index> seeds = {});
+
+/// Upper bound on the cliques of `graph`: the number of colours of its greedy colouring.
+Index color_bound(RowsView graph);
+
+/// Upper bound on the cliques within `subset`, a bit mask.
+Index color_bound(RowsView graph, std::span<const Word> subset);
+
+/// Colours at most `max_colors` classes; whether that coloured all of `subset`. True proves that
+/// the subset has no clique of more vertices.
+/// @param scratch  any content; reused memory.
+bool colors_with(RowsView graph, std::span<const Word> subset, Index max_colors,
+                 std::vector<Word>& scratch);
+
+}  // namespace gmcr

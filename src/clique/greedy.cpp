@@ -1,0 +1,108 @@
+#include "clique/greedy.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "clique/packed_graph.hpp"
+
+namespace gmcr {
+namespace {
+
+/// A clique that grows, and the vertices adjacent to all of it.
+struct GrowingClique {
+  std::vector<Index> clique;
+  std::vector<Word> candidates;
+
+  GrowingClique(RowsView graph, Index start)
+      : clique{start}, candidates(graph.row(start), graph.row(start) + graph.words_per_row) {}
+
+  bool is_candidate(Index v) const { return test_bit(candidates.data(), v); }
+
+  void add(RowsView graph, Index v) {
+    clique.push_back(v);
+    const Word* row = graph.row(v);
+    for (Index w = 0; w < graph.words_per_row; ++w) candidates[w] &= row[w];
+  }
+
+  Index num_candidates() const {
+    return count_bits(candidates.data(), static_cast<Index>(candidates.size()));
+  }
+};
+
+void check_arguments(RowsView graph, Index start, std::span<const Index> priority) {
+  if (start < 0 || start >= graph.num_vertices) {
+    throw std::invalid_argument("start: " + std::to_string(start) + " is no vertex of a graph of " +
+                                std::to_string(graph.num_vertices));
+  }
+  if (!priority.empty() && static_cast<Index>(priority.size()) != graph.num_vertices) {
+    throw std::invalid_argument("priority: " + std::to_string(priority.size()) + " values for " +
+                                std::to_string(graph.num_vertices) + " vertices");
+  }
+}
+
+std::vector<Index> candidates_by_priority(RowsView graph, Index start,
+                                          std::span<const Index> priority) {
+  std::vector<Index> candidates;
+  for_each_bit(graph.row(start), graph.words_per_row, [&](Index v) { candidates.push_back(v); });
+  if (!priority.empty()) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](Index a, Index b) { return priority[a] > priority[b]; });
+  }
+  return candidates;
+}
+
+/// A clique of `graph`, as numbers of it: adds the vertex with the most neighbours among the
+/// candidates until none is left.
+std::vector<Index> clique_by_candidate_degree(RowsView graph) {
+  std::vector<Index> clique, degree(graph.num_vertices), alive(graph.num_vertices);
+  for (Index v = 0; v < graph.num_vertices; ++v) {
+    degree[v] = graph.degree(v);
+    alive[v] = v;
+  }
+  while (!alive.empty()) {
+    const Index best = *std::max_element(alive.begin(), alive.end(),
+                                         [&](Index a, Index b) { return degree[a] < degree[b]; });
+    clique.push_back(best);
+    const Word* row = graph.row(best);
+    const auto drop = std::stable_partition(alive.begin(), alive.end(),
+                                            [&](Index v) { return test_bit(row, v); });
+    for (auto v = drop; v != alive.end(); ++v) {
+      for_each_bit(graph.row(*v), graph.words_per_row, [&](Index u) { --degree[u]; });
+    }
+    alive.erase(drop, alive.end());
+  }
+  return clique;
+}
+
+}  // namespace
+
+std::vector<Index> greedy_clique(RowsView graph, Index start, std::span<const Index> priority) {
+  return greedy_clique_by_candidates(graph, start, priority, 0);
+}
+
+std::vector<Index> greedy_clique_by_candidates(RowsView graph, Index start,
+                                               std::span<const Index> priority,
+                                               Index max_candidates) {
+  check_arguments(graph, start, priority);
+  GrowingClique growing(graph, start);
+  std::vector<Index> candidates = candidates_by_priority(graph, start, priority);
+  Index num_candidates = static_cast<Index>(candidates.size());
+  for (const Index v : candidates) {
+    if (num_candidates <= max_candidates) break;
+    if (!growing.is_candidate(v)) continue;
+    growing.add(graph, v);
+    if (max_candidates > 0) num_candidates = growing.num_candidates();
+  }
+  if (max_candidates > 0) {
+    std::erase_if(candidates, [&](Index v) { return !growing.is_candidate(v); });
+    PackedGraph packed;
+    packed.assign(graph, candidates);
+    for (const Index v : clique_by_candidate_degree(packed.view())) {
+      growing.clique.push_back(packed.original(v));
+    }
+  }
+  std::sort(growing.clique.begin(), growing.clique.end());
+  return std::move(growing.clique);
+}
+
+}  // namespace gmcr

@@ -1,0 +1,45 @@
+#include "clique/packed_graph.hpp"
+
+namespace gmcr {
+
+void PackedGraph::assign(RowsView graph, std::span<const Index> vertices) {
+  vertices_.assign(vertices.begin(), vertices.end());
+  words_per_row_ = words_for_bits(num_vertices());
+  words_.assign(static_cast<std::size_t>(num_vertices() * words_per_row_), 0);
+  if (graph.words_per_row <= num_vertices()) {
+    copy_set_bits(graph);
+  } else {
+    copy_bit_by_bit(graph);
+  }
+}
+
+void PackedGraph::copy_set_bits(RowsView graph) {
+  mask_.assign(graph.words_per_row, 0);
+  number_of_.resize(graph.num_vertices);
+  for (Index i = 0; i < num_vertices(); ++i) {
+    set_bit(mask_.data(), vertices_[i]);
+    number_of_[vertices_[i]] = static_cast<std::int32_t>(i);
+  }
+  for (Index i = 0; i < num_vertices(); ++i) {
+    const Word* from = graph.row(vertices_[i]);
+    Word* to = words_.data() + i * words_per_row_;
+    for (Index w = 0; w < graph.words_per_row; ++w) {
+      for (Word rest = from[w] & mask_[w]; rest != 0; rest &= rest - 1) {
+        set_bit(to, number_of_[w * kBitsPerWord + std::countr_zero(rest)]);
+      }
+    }
+  }
+}
+
+void PackedGraph::copy_bit_by_bit(RowsView graph) {
+  const Index n = num_vertices();
+  for (Index i = 0; i < n; ++i) {
+    const Word* from = graph.row(vertices_[i]);
+    Word* to = words_.data() + i * words_per_row_;
+    for (Index j = 0; j < n; ++j) {
+      to[j / kBitsPerWord] |= static_cast<Word>(test_bit(from, vertices_[j])) << (j % kBitsPerWord);
+    }
+  }
+}
+
+}  // namespace gmcr

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clique/bit_rows.hpp"
+
+namespace gmcr {
+
+/// Induced subgraph with its own, dense numbering; its memory is reused from one to the next.
+class PackedGraph {
+ public:
+  /// Becomes the subgraph of `graph` that `vertices` induce; vertex i of it is `vertices[i]`.
+  /// @param vertices  distinct vertices of `graph`, in any order.
+  /// Cost O(k min(k, n / 64 + d)) for k vertices of n with d neighbours each.
+  void assign(RowsView graph, std::span<const Index> vertices);
+
+  Index num_vertices() const { return static_cast<Index>(vertices_.size()); }
+  Index words_per_row() const { return words_per_row_; }
+  const Word* row(Index v) const { return words_.data() + v * words_per_row_; }
+  RowsView view() const { return {words_.data(), num_vertices(), words_per_row_}; }
+
+  /// The vertex of the original graph that is number `v` here.
+  Index original(Index v) const { return vertices_[v]; }
+
+ private:
+  void copy_set_bits(RowsView graph);
+  void copy_bit_by_bit(RowsView graph);
+
+  Index words_per_row_ = 0;
+  std::vector<Index> vertices_;
+  std::vector<Word> words_;
+  std::vector<Word> mask_;               // of the original graph: the vertices
+  std::vector<std::int32_t> number_of_;  // of the original graph: numbers here
+};
+
+}  // namespace gmcr

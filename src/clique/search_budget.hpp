@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gmcr/types.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr {
+
+/// Time and search nodes that a clique search may still spend.
+class SearchBudget {
+ public:
+  SearchBudget(double time_limit, std::uint64_t max_nodes)
+      : deadline_(time_limit), max_nodes_(max_nodes) {}
+
+  /// Takes one search node that costs about `num_words` word operations.
+  /// @return false where the budget is spent; from then on always.
+  bool spend_node(Index num_words) {
+    if (spent_ || nodes_ >= max_nodes_) return !(spent_ = true);
+    ++nodes_;
+    words_since_poll_ += num_words;
+    if (words_since_poll_ >= kWordsPerPoll) {
+      words_since_poll_ = 0;
+      if (out_of_time()) return false;
+    }
+    return true;
+  }
+
+  /// Reads the clock.
+  bool out_of_time() {
+    spent_ = spent_ || deadline_.expired();
+    return spent_;
+  }
+
+  bool spent() const { return spent_; }
+  std::uint64_t nodes() const { return nodes_; }
+
+ private:
+  static constexpr Index kWordsPerPoll = Index{1} << 18;  // about 0.1 ms of work
+
+  Deadline deadline_;
+  std::uint64_t max_nodes_;
+  std::uint64_t nodes_ = 0;
+  Index words_since_poll_ = 0;
+  bool spent_ = false;
+};
+
+}  // namespace gmcr
