@@ -1,0 +1,117 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "gmcr/options.hpp"
+#include "gmcr/result.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// Which side of the surface the normals point to. FPFH sees the difference between the sides, so
+/// the two clouds have to agree.
+enum class NormalOrientation {
+  Automatic,        ///< `TowardViewpoint` first; the others follow while the result is not trusted
+  TowardViewpoint,  ///< toward `FrontendOptions::source_viewpoint` and `target_viewpoint`
+  Outward,          ///< away from the centroid of the cloud: for models of whole objects
+};
+
+/// How clouds become correspondences. Lengths are in voxels, so that one set of defaults serves
+/// objects and cities.
+struct FrontendOptions {
+  /// Edge of a voxel, metres of the target frame, >= 0; 0 chooses it from the clouds.
+  double voxel_size = 0;
+  /// Edge of a voxel, metres of the source frame, >= 0; 0 derives it from the target's and the
+  /// known scale, or from the source's own extent where the scale is estimated.
+  double source_voxel_size = 0;
+  double normal_radius = 2;   ///< voxels, > 0
+  double feature_radius = 5;  ///< voxels, >= normal_radius
+  /// Noise bound for the registration, voxels of the target, > 0; used where
+  /// `Options::noise_bound` is 0.
+  double noise_bound_voxels = 1.5;
+
+  NormalOrientation orientation = NormalOrientation::Automatic;
+  Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();  ///< metres, source frame
+  Eigen::Vector3d target_viewpoint = Eigen::Vector3d::Zero();  ///< metres, target frame
+
+  /// Keep a match only where each point is the other's nearest in feature space.
+  bool mutual = true;
+  /// Keep a match only where its feature distance is at most this share of the distance to the
+  /// second best, in (0, 1]; 1 keeps all.
+  double max_ratio = 1;
+
+  /// Settings that `register_clouds` may try before it settles for the best result, >= 1.
+  int max_attempts = 4;
+
+  /// @throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+/// Putative correspondences between two clouds.
+struct CloudMatches {
+  Points source;                      ///< 3 x M, matched points of the source, metres
+  Points target;                      ///< 3 x M, matched points of the target, metres
+  std::vector<Index> source_indices;  ///< M columns of `source_voxels`, ascending
+  std::vector<Index> target_indices;  ///< M columns of `target_voxels`
+  Points source_voxels;               ///< the source after the voxel grid
+  Points target_voxels;               ///< the target after the voxel grid
+  double source_voxel_size = 0;       ///< metres, source frame
+  double target_voxel_size = 0;       ///< metres, target frame
+  double noise_bound = 0;             ///< metres, target frame, for the registration
+  std::vector<StageTime> stages;      ///< "voxel", "normals", "features", "matching"
+};
+
+/// How far the pose of two clouds can be relied on.
+enum class Verdict {
+  Trusted,    ///< many more matches agree than chance explains, and the surfaces meet
+  Doubtful,   ///< plausible, but check it
+  Untrusted,  ///< what chance alone would give, or no pose at all
+};
+
+/// "trusted", "doubtful" or "untrusted".
+const char* to_string(Verdict verdict);
+
+struct CloudResult {
+  /// Pose and inliers; `inliers` index the columns of `matches.source`. Its diagnostics hold the
+  /// stages of the front end too, summed over the attempts.
+  Result registration;
+  CloudMatches matches;
+  Index num_source_points = 0;  ///< as given; `matches` holds the clouds after the voxel grid
+  Index num_target_points = 0;
+  /// Share of `matches.source_voxels` with a point of `matches.target_voxels` within one voxel of
+  /// the target after the transform, in [0, 1]; 0 without a pose.
+  double fitness = 0;
+  double overlap_rmse = 0;  ///< RMS distance of those points, metres
+  Verdict verdict = Verdict::Untrusted;
+  std::string verdict_reason;  ///< one sentence
+  int num_attempts = 0;        ///< front-end settings that were tried
+};
+
+/// Correspondences between two clouds: voxel grid, normals, FPFH (Rusu et al. 2009), nearest
+/// neighbours in feature space.
+///
+/// @param source, target  3 x N and 3 x M, metres, finite; N and M may differ and may be 0.
+/// @param options  `scale_mode`, `scale`, `noise_bound` and `num_threads` are read.
+/// @return no matches where a cloud has fewer than 3 distinct voxels or no surface.
+/// @throws std::invalid_argument where a point is not finite, an option is out of range, or the
+///   cloud spans too many voxels to number them.
+/// Cost O(N log N + M log M) for the features, O(N M) after the voxel grid for the matching.
+/// Deterministic for any thread count.
+CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
+                          const FrontendOptions& frontend = {}, const Options& options = {});
+
+/// Pose that aligns two clouds, from no initial guess: `match_clouds`, then
+/// `register_correspondences`, then a verdict from the inliers and from how the surfaces meet.
+///
+/// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
+/// `frontend.max_attempts`, and the best is kept.
+/// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size.
+/// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the
+///   matches are not known beforehand.
+/// Cost and determinism: those of the two steps.
+CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
+                            const FrontendOptions& frontend = {}, const Options& options = {});
+
+}  // namespace gmcr

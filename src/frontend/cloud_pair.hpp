@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gmcr/frontend.hpp"
+
+namespace gmcr {
+
+/// One way to run the front end.
+struct FrontendSetting {
+  double voxel_factor = 1;  ///< of the voxel size that was asked for or chosen
+  NormalOrientation source_side = NormalOrientation::TowardViewpoint;
+  NormalOrientation target_side = NormalOrientation::TowardViewpoint;
+};
+
+/// The settings that `frontend` allows, most promising first; at least one.
+std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend);
+
+/// @throws std::invalid_argument where the clouds or the options break the contract of
+///   `match_clouds`.
+void validate_pair(const PointsRef& source, const PointsRef& target,
+                   const FrontendOptions& frontend, const Options& options);
+
+/// `match_clouds` with one setting and arguments that were validated.
+CloudMatches match_with(const PointsRef& source, const PointsRef& target,
+                        const FrontendOptions& frontend, const Options& options,
+                        const FrontendSetting& setting);
+
+}  // namespace gmcr

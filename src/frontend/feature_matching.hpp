@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "frontend/fpfh.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+struct MatchingOptions {
+  bool mutual = true;   ///< each is the other's nearest
+  float max_ratio = 1;  ///< of the distances to the nearest and the second nearest, (0, 1]
+  int num_threads = 0;
+};
+
+struct FeatureMatch {
+  Index source;
+  Index target;
+};
+
+/// Nearest target feature of each source feature, by Euclidean distance; ties to the smallest
+/// index. Columns that are 0 have no feature and match nothing.
+///
+/// Compares all with all: in 33 dimensions a k-d tree visits most of the points anyway, and the
+/// plain loop runs at the speed of the vector units.
+/// @return in ascending order of the source.
+/// Cost O(N M). Deterministic for any thread count.
+std::vector<FeatureMatch> match_features(const Features& source, const Features& target,
+                                         const MatchingOptions& options);
+
+}  // namespace gmcr

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "frontend/cloud_pair.hpp"
+#include "frontend/extent.hpp"
+#include "frontend/feature_matching.hpp"
+#include "frontend/surface.hpp"
+
+namespace gmcr {
+namespace {
+
+/// Voxel over the extent of the cloud: fine enough for FPFH to see the shape, coarse enough for a
+/// few thousand points.
+constexpr double kVoxelShare = 0.015;
+
+struct VoxelSizes {
+  double source;
+  double target;
+};
+
+/// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
+double voxel_size_from(const PointsRef& points) {
+  const double extent = points.cols() > 0 ? robust_extent(points) : 0;
+  return extent > 0 ? kVoxelShare * extent : 1;
+}
+
+VoxelSizes choose_voxel_sizes(const PointsRef& source, const PointsRef& target,
+                              const FrontendOptions& frontend, const Options& options) {
+  VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
+  if (options.scale_mode == ScaleMode::Estimated) {
+    if (sizes.source == 0) sizes.source = voxel_size_from(source);
+    if (sizes.target == 0) sizes.target = voxel_size_from(target);
+    return sizes;
+  }
+  if (sizes.target == 0) {
+    sizes.target = sizes.source > 0
+                       ? sizes.source * options.scale
+                       : std::min(voxel_size_from(source) * options.scale, voxel_size_from(target));
+  }
+  if (sizes.source == 0) sizes.source = sizes.target / options.scale;
+  return sizes;
+}
+
+void require_finite(const PointsRef& points, const char* name) {
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (points.col(i).allFinite()) continue;
+    throw std::invalid_argument(std::string(name) + ": point " + std::to_string(i) +
+                                " is not finite");
+  }
+}
+
+}  // namespace
+
+void validate_pair(const PointsRef& source, const PointsRef& target,
+                   const FrontendOptions& frontend, const Options& options) {
+  frontend.validate();
+  Options checked = options;
+  if (checked.noise_bound == 0) checked.noise_bound = 1;  // 0 asks for the derived one
+  checked.validate();
+  require_finite(source, "source");
+  require_finite(target, "target");
+}
+
+CloudMatches match_with(const PointsRef& source, const PointsRef& target,
+                        const FrontendOptions& frontend, const Options& options,
+                        const FrontendSetting& setting) {
+  CloudMatches matches;
+  StageClock clock(matches.stages);
+  const VoxelSizes sizes = choose_voxel_sizes(source, target, frontend, options);
+  matches.source_voxel_size = setting.voxel_factor * sizes.source;
+  matches.target_voxel_size = setting.voxel_factor * sizes.target;
+  matches.noise_bound = options.noise_bound > 0
+                            ? options.noise_bound
+                            : frontend.noise_bound_voxels * matches.target_voxel_size;
+
+  const int threads = options.num_threads;
+  Surface from = make_surface(source, matches.source_voxel_size, frontend, threads, clock);
+  Surface to = make_surface(target, matches.target_voxel_size, frontend, threads, clock);
+  const Features source_features =
+      describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
+  const Features target_features =
+      describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
+  const auto pairs =
+      match_features(source_features, target_features,
+                     {frontend.mutual, static_cast<float>(frontend.max_ratio), threads});
+  for (const FeatureMatch& pair : pairs) {
+    matches.source_indices.push_back(pair.source);
+    matches.target_indices.push_back(pair.target);
+  }
+  matches.source = from.voxels(Eigen::all, matches.source_indices);
+  matches.target = to.voxels(Eigen::all, matches.target_indices);
+  matches.source_voxels = std::move(from.voxels);
+  matches.target_voxels = std::move(to.voxels);
+  clock.lap("matching");
+  return matches;
+}
+
+CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
+                          const FrontendOptions& frontend, const Options& options) {
+  validate_pair(source, target, frontend, options);
+  return match_with(source, target, frontend, options, list_settings(frontend).front());
+}
+
+}  // namespace gmcr

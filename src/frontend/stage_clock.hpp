@@ -1,0 +1,40 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "gmcr/result.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr {
+
+/// Adds `seconds` to the stage of that name, which is appended where it is new.
+inline void add_stage(std::vector<StageTime>& stages, const std::string& name, double seconds) {
+  for (StageTime& stage : stages) {
+    if (stage.name == name) {
+      stage.seconds += seconds;
+      return;
+    }
+  }
+  stages.push_back({name, seconds});
+}
+
+/// Splits the time since its construction among stages.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
+
+  /// Books the time since the last lap on the stage `name`.
+  void lap(const char* name) {
+    const double now = watch_.elapsed();
+    add_stage(stages_, name, now - last_);
+    last_ = now;
+  }
+
+ private:
+  std::vector<StageTime>& stages_;
+  Deadline watch_{std::numeric_limits<double>::infinity()};
+  double last_ = 0;
+};
+
+}  // namespace gmcr

@@ -1,0 +1,38 @@
+#include "frontend/surface.hpp"
+
+#include "frontend/normals.hpp"
+#include "frontend/voxel_grid.hpp"
+
+namespace gmcr {
+
+Surface make_surface(const PointsRef& points, double voxel_size, const FrontendOptions& frontend,
+                     int num_threads, StageClock& clock) {
+  Surface surface;
+  surface.voxel_size = voxel_size;
+  surface.voxels = voxel_grid(points, voxel_size);
+  surface.centre = Eigen::Vector3d::Zero();
+  if (points.cols() > 0) {
+    surface.centre = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
+  }
+  // in voxels and near 0 every radius is a plain number and no digit is lost
+  surface.local = (surface.voxels.colwise() - surface.centre) / voxel_size;
+  clock.lap("voxel");
+  surface.neighbourhoods = find_neighbourhoods(surface.local, frontend.feature_radius, num_threads);
+  surface.normals =
+      estimate_normals(surface.local, surface.neighbourhoods, frontend.normal_radius, num_threads);
+  clock.lap("normals");
+  return surface;
+}
+
+Features describe(const Surface& surface, NormalOrientation side, const Eigen::Vector3d& viewpoint,
+                  int num_threads, StageClock& clock) {
+  const Points normals = side == NormalOrientation::Outward
+                             ? orient_outward(surface.local, surface.normals)
+                             : orient_toward(surface.local, surface.normals,
+                                             (viewpoint - surface.centre) / surface.voxel_size);
+  Features features = compute_fpfh(surface.local, normals, surface.neighbourhoods, num_threads);
+  clock.lap("features");
+  return features;
+}
+
+}  // namespace gmcr
