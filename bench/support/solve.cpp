@@ -1,0 +1,69 @@
+#include "support/solve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "gmcr/metrics.hpp"
+#include "gmcr/registration.hpp"
+
+namespace gmcr::bench {
+namespace {
+
+Index count_true_inliers(const Problem& problem) {
+  const auto residuals = (problem.target - problem.truth.apply(problem.source)).colwise().norm();
+  return (residuals.array() <= problem.noise_bound).count();
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double position = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (position - std::floor(position)) * (values[above] - values[below]);
+}
+
+Json errors_of(const Similarity& estimate, const Similarity& truth, const PointsRef& points) {
+  return {{"rotation_deg", rotation_error_deg(estimate.rotation, truth.rotation)},
+          {"translation", translation_error(estimate.translation, truth.translation)},
+          {"scale", scale_error(estimate.scale, truth.scale)},
+          {"mean_point", mean_point_error(estimate, truth, points)}};
+}
+
+Json solve(const Problem& problem, Options options, const NamedMethod& method, int repetitions) {
+  options.method = method.method;
+  options.evidence = method.evidence;
+  options.noise_bound = problem.noise_bound;
+  Json record = {{"method", method.name},
+                 {"input_hash", input_hash(problem.source, problem.target)},
+                 {"num_correspondences", problem.source.cols()},
+                 {"num_true_inliers", count_true_inliers(problem)},
+                 {"noise_bound", problem.noise_bound}};
+  try {
+    Result result;
+    std::vector<double> wall_ms;
+    for (int i = 0; i < repetitions; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      result = register_correspondences(problem.source, problem.target, options);
+      const std::chrono::duration<double, std::milli> elapsed =
+          std::chrono::steady_clock::now() - start;
+      wall_ms.push_back(elapsed.count());
+    }
+    record.update(describe(result));
+    record["wall_ms"] = quantile(wall_ms, 0.5);
+    record["wall_ms_quartiles"] = {quantile(wall_ms, 0.25), quantile(wall_ms, 0.75)};
+    record["repetitions"] = repetitions;
+    if (result.status == Status::Ok || result.status == Status::Degenerate) {
+      record["errors"] = errors_of(result.target_from_source, problem.truth, problem.source);
+    }
+  } catch (const std::exception& error) {
+    record["status"] = "error";
+    record["status_reason"] = error.what();
+  }
+  return record;
+}
+
+}  // namespace gmcr::bench
