@@ -51,7 +51,6 @@ void BranchAndBound::visit_next_branch() {
   const Index words = graph_.words_per_row;
   const Index v = branches_.back().vertex;
   branches_.pop_back();
-  chosen_.push_back(v);
   if (static_cast<Index>(candidates_.size()) < (level + 2) * words) {
     candidates_.resize(2 * (level + 2) * words);
   }
@@ -60,6 +59,8 @@ void BranchAndBound::visit_next_branch() {
   const Word* row = graph_.row(v);
   clear_bit(here, v);
   for (Index w = 0; w < words; ++w) next[w] = here[w] & row[w];
+  if (level + 1 + count_bits(next, words) <= best_size_) return;
+  chosen_.push_back(v);
   enter_level();
 }
 

@@ -3,9 +3,8 @@
 namespace gmcr {
 namespace {
 
-// Measured on random graphs: below these densities a repair costs more than it saves.
-constexpr double kMinDensityToRecolor = 0.4;
-constexpr double kMinDensityForTriples = 0.65;
+// Measured on random graphs: below this density the repairs cost more than they save.
+constexpr double kMinDensityToRepair = 0.4;
 
 double density(RowsView graph) {
   const Index n = graph.num_vertices;
@@ -13,20 +12,28 @@ double density(RowsView graph) {
   return n < 2 ? 0.0 : static_cast<double>(ends) / (static_cast<double>(n) * (n - 1));
 }
 
-bool intersects(const Word* a, const Word* b, Index num_words) {
+enum class Overlap { None, WithFirst, WithBoth };
+
+/// Whether `a` meets `first`, and whether some of that lies in `second` too.
+Overlap overlap_of(const Word* a, const Word* first, const Word* second, Index num_words) {
+  Word with_first = 0;
   for (Index w = 0; w < num_words; ++w) {
-    if (a[w] & b[w]) return true;
+    const Word common = a[w] & first[w];
+    if (common & second[w]) return Overlap::WithBoth;
+    with_first |= common;
   }
-  return false;
+  return with_first != 0 ? Overlap::WithFirst : Overlap::None;
 }
 
-/// The only bit of a & b; -1 where there is none, -2 where there are several.
+constexpr Index kNone = -1, kSeveral = -2;
+
+/// The only bit of a & b, kNone or kSeveral.
 Index single_common_bit(const Word* a, const Word* b, Index num_words) {
-  Index found = -1;
+  Index found = kNone;
   for (Index w = 0; w < num_words; ++w) {
     const Word common = a[w] & b[w];
     if (common == 0) continue;
-    if (found >= 0 || (common & (common - 1)) != 0) return -2;
+    if (found >= 0 || (common & (common - 1)) != 0) return kSeveral;
     found = w * kBitsPerWord + std::countr_zero(common);
   }
   return found;
@@ -37,9 +44,7 @@ Index single_common_bit(const Word* a, const Word* b, Index num_words) {
 void BranchSelector::reset(RowsView graph) {
   graph_ = graph;
   words_ = graph.words_per_row;
-  const double edge_density = density(graph);
-  recolors_ = edge_density >= kMinDensityToRecolor;
-  prunes_by_triple_ = edge_density >= kMinDensityForTriples;
+  repairs_ = density(graph) >= kMinDensityToRepair;
   uncolored_.resize(words_);
   free_.resize(words_);
 }
@@ -100,7 +105,7 @@ bool BranchSelector::append_rest(Index max_pruned, std::vector<Branch>& branches
         const Index v = w * kBitsPerWord + std::countr_zero(free_[w]);
         clear_bit(free_.data(), v);
         clear_bit(uncolored_.data(), v);
-        if ((recolors_ && recolor(v)) || (prunes_by_triple_ && prune_by_triple(v))) {
+        if (repairs_ && repair(v)) {
           is_clique = false;
           continue;
         }
@@ -115,52 +120,35 @@ bool BranchSelector::append_rest(Index max_pruned, std::vector<Branch>& branches
   return is_clique;
 }
 
-bool BranchSelector::recolor(Index v) {
+bool BranchSelector::repair(Index v) {
   const Word* row = graph_.row(v);
+  Index triple_1 = -1, triple_2 = -1;
   for (Index c = 0; c < num_classes_; ++c) {
     if (in_triple_[c]) continue;
     const Index conflict = single_common_bit(color_class(c), row, words_);
-    if (conflict == -2) continue;
-    if (conflict >= 0) {
-      const Word* conflict_row = graph_.row(conflict);
-      Index other = 0;
-      while (other < num_classes_ && (other == c || in_triple_[other] ||
-                                      intersects(color_class(other), conflict_row, words_))) {
-        ++other;
+    if (conflict == kSeveral) continue;
+    if (conflict == kNone) {
+      set_bit(color_class(c), v);
+      return true;
+    }
+    const Word* conflict_row = graph_.row(conflict);
+    for (Index other = 0; other < num_classes_; ++other) {
+      if (other == c || in_triple_[other]) continue;
+      const Overlap overlap = overlap_of(color_class(other), conflict_row, row, words_);
+      if (overlap == Overlap::WithFirst && triple_1 < 0) {
+        triple_1 = c;
+        triple_2 = other;
       }
-      if (other == num_classes_) continue;
+      if (overlap != Overlap::None) continue;
       clear_bit(color_class(c), conflict);
       set_bit(color_class(other), conflict);
-    }
-    set_bit(color_class(c), v);
-    return true;
-  }
-  return false;
-}
-
-bool BranchSelector::prune_by_triple(Index v) {
-  for (Index c1 = 0; c1 < num_classes_; ++c1) {
-    if (in_triple_[c1]) continue;
-    for (Index c2 = c1 + 1; c2 < num_classes_; ++c2) {
-      if (in_triple_[c2] || has_triangle(v, color_class(c1), color_class(c2))) continue;
-      in_triple_[c1] = in_triple_[c2] = 1;
+      set_bit(color_class(c), v);
       return true;
     }
   }
-  return false;
-}
-
-bool BranchSelector::has_triangle(Index v, const Word* class_1, const Word* class_2) const {
-  const Word* row = graph_.row(v);
-  for (Index w = 0; w < words_; ++w) {
-    for (Word rest = class_1[w] & row[w]; rest != 0; rest &= rest - 1) {
-      const Word* other = graph_.row(w * kBitsPerWord + std::countr_zero(rest));
-      for (Index i = 0; i < words_; ++i) {
-        if (class_2[i] & row[i] & other[i]) return true;
-      }
-    }
-  }
-  return false;
+  if (triple_1 < 0) return false;
+  in_triple_[triple_1] = in_triple_[triple_2] = 1;
+  return true;
 }
 
 }  // namespace gmcr

@@ -37,17 +37,14 @@ class BranchSelector {
  private:
   void color_classes(Index max_classes, std::span<const Index> seeds);
   bool append_rest(Index max_pruned, std::vector<Branch>& branches);
-  bool recolor(Index v);
-  bool prune_by_triple(Index v);
-  bool has_triangle(Index v, const Word* class_1, const Word* class_2) const;
+  bool repair(Index v);
 
   Word* color_class(Index c) { return classes_.data() + c * words_; }
   const Word* color_class(Index c) const { return classes_.data() + c * words_; }
 
   RowsView graph_;
   Index words_ = 0;
-  bool recolors_ = false;
-  bool prunes_by_triple_ = false;
+  bool repairs_ = false;
   Index num_classes_ = 0;
   Index num_colored_ = 0;
   std::vector<Word> uncolored_, free_, classes_;
