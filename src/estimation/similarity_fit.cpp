@@ -1,10 +1,24 @@
 #include "estimation/similarity_fit.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
 
 #include "estimation/rotation.hpp"
 
 namespace gmcr {
+namespace {
+
+/// The least rotation that turns the axis of a cross-covariance of rank 1 onto its image.
+Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (!(svd.singularValues()[0] > 0)) return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d from = svd.matrixV().col(0), to = svd.matrixU().col(0);
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+}  // namespace
 
 std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRef& target,
                                          const Eigen::ArrayXd& bounds,
@@ -30,15 +44,16 @@ std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRe
     covariance += weight * b * a.transpose();
     source_variance += weight * a.squaredNorm();
   }
-  const std::optional<Eigen::Matrix3d> rotation = rotation_from_covariance(covariance);
-  if (!rotation) return std::nullopt;
+  const std::optional<Eigen::Matrix3d> unique = rotation_from_covariance(covariance);
+  const Eigen::Matrix3d rotation = unique ? *unique : least_rotation(covariance);
 
   // Umeyama (1991): the scale is tr(R^T H) over the source variance
-  const double optimal_scale = rotation->cwiseProduct(covariance).sum() / source_variance;
+  const double optimal_scale =
+      source_variance > 0 ? rotation.cwiseProduct(covariance).sum() / source_variance : 1;
   Similarity fit;
   fit.scale = std::clamp(optimal_scale, scales.min, scales.max);
-  fit.rotation = *rotation;
-  fit.translation = target_mean - fit.scale * (*rotation * source_mean);
+  fit.rotation = rotation;
+  fit.translation = target_mean - fit.scale * (rotation * source_mean);
   return fit;
 }
 

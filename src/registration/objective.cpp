@@ -1,0 +1,51 @@
+#include "registration/objective.hpp"
+
+#include <algorithm>
+
+#include "kernels/residuals.hpp"
+
+namespace gmcr {
+
+bool is_better(const Hypothesis& a, const Hypothesis& b) {
+  if (a.evidence != b.evidence) return a.evidence > b.evidence;
+  return a.quadratic < b.quadratic;
+}
+
+Objective::Objective(const Correspondences& correspondences, Evidence evidence,
+                     std::size_t max_bytes)
+    : correspondences_(correspondences), squared_bounds_(correspondences.bounds.square()) {
+  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes);
+}
+
+double Objective::weight(Index i, double scale) const {
+  return distinct_ ? distinct_->weight(i, scale) : 1;
+}
+
+std::vector<Index> Objective::within(const Similarity& target_from_source, double factor) const {
+  Eigen::ArrayXd squared(correspondences_.size());
+  kernels::squared_residuals(target_from_source, correspondences_.source, correspondences_.target,
+                             squared);
+  std::vector<Index> indices;
+  for (Index i = 0; i < squared.size(); ++i) {
+    if (squared[i] <= factor * factor * squared_bounds_[i]) indices.push_back(i);
+  }
+  return indices;
+}
+
+Hypothesis Objective::judge(const Similarity& target_from_source) const {
+  Hypothesis hypothesis;
+  hypothesis.target_from_source = target_from_source;
+  Eigen::ArrayXd squared(correspondences_.size());
+  kernels::squared_residuals(target_from_source, correspondences_.source, correspondences_.target,
+                             squared);
+  for (Index i = 0; i < squared.size(); ++i) {
+    const double relative = squared[i] / squared_bounds_[i];
+    hypothesis.quadratic += std::min(relative, 1.0);
+    if (relative > 1) continue;
+    hypothesis.inliers.push_back(i);
+    hypothesis.evidence += weight(i, target_from_source.scale);
+  }
+  return hypothesis;
+}
+
+}  // namespace gmcr

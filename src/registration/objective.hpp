@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "consensus/distinct_evidence.hpp"
+#include "gmcr/options.hpp"
+#include "gmcr/similarity.hpp"
+#include "invariants/correspondences.hpp"
+
+namespace gmcr {
+
+/// A pose, between the centred frames, with all that the objective says of it.
+struct Hypothesis {
+  Similarity target_from_source;
+  std::vector<Index> inliers;  ///< its consensus set, ascending
+  double evidence = 0;         ///< sum of the weights of the inliers: what is maximised
+  double quadratic = 0;        ///< sum over all of min(residual^2 / eps^2, 1): decides ties
+
+  Index num_inliers() const { return static_cast<Index>(inliers.size()); }
+};
+
+/// Whether `a` is the better answer: more evidence, or as much with a closer fit.
+bool is_better(const Hypothesis& a, const Hypothesis& b);
+
+/// The objective itself, on all correspondences (paper, eq:pcr_maxcon, and L6).
+class Objective {
+ public:
+  /// Keeps a reference to `correspondences`.
+  /// @param max_bytes  memory that the evidence weights may take.
+  Objective(const Correspondences& correspondences, Evidence evidence, std::size_t max_bytes);
+
+  const Correspondences& correspondences() const { return correspondences_; }
+
+  /// Evidence that correspondence i gives at a scale, in (0, 1].
+  double weight(Index i, double scale) const;
+
+  /// Whether the memory sufficed for the weights; if not, each is 1.
+  bool weights_complete() const { return !distinct_ || distinct_->complete(); }
+
+  /// Correspondences whose residual is at most `factor` times their bound, ascending.
+  std::vector<Index> within(const Similarity& target_from_source, double factor) const;
+
+  /// Consensus set and score of a pose.
+  Hypothesis judge(const Similarity& target_from_source) const;
+
+ private:
+  const Correspondences& correspondences_;
+  Eigen::ArrayXd squared_bounds_;
+  std::optional<DistinctEvidence> distinct_;
+};
+
+}  // namespace gmcr

@@ -1,0 +1,48 @@
+#include "gmcr/options.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace gmcr {
+namespace {
+
+void require(bool holds, const std::string& field, double value, const char* rule) {
+  if (!holds) throw std::invalid_argument(field + ": " + std::to_string(value) + " " + rule);
+}
+
+void require_positive(const std::string& field, double value) {
+  require(value > 0 && std::isfinite(value), field, value, "is not a positive finite number");
+}
+
+}  // namespace
+
+void Options::validate() const {
+  if (noise_bounds.empty()) {
+    require_positive("noise_bound", noise_bound);
+  } else {
+    require(noise_bound == 0, "noise_bound", noise_bound, "must be 0 where noise_bounds is given");
+    for (std::size_t i = 0; i < noise_bounds.size(); ++i) {
+      require_positive("noise_bounds[" + std::to_string(i) + "]", noise_bounds[i]);
+    }
+  }
+  require_positive("threshold", threshold);
+  require_positive("scale", scale);
+  if (scale_mode == ScaleMode::Estimated) {
+    require(scale == 1, "scale", scale, "is given, but the scale is to be estimated");
+  }
+  if (scale_range) {
+    if (scale_mode == ScaleMode::Known) {
+      throw std::invalid_argument("scale_range: is given, but the scale is known");
+    }
+    require_positive("scale_range.min", scale_range->min);
+    require_positive("scale_range.max", scale_range->max);
+    require(scale_range->min <= scale_range->max, "scale_range.min", scale_range->min,
+            "exceeds scale_range.max");
+  }
+  require(num_threads >= 0, "num_threads", num_threads, "is negative");
+  require(budget.time > 0, "budget.time", budget.time, "is not a positive number of seconds");
+  require(budget.memory > 0, "budget.memory", 0, "is no memory at all");
+}
+
+}  // namespace gmcr

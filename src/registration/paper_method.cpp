@@ -1,0 +1,119 @@
+#include "registration/paper_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "consensus/consistency_graph.hpp"
+#include "registration/certificate.hpp"
+#include "registration/stages.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
+/// Bytes that a TIM takes while its scale is measured and swept.
+constexpr std::size_t kBytesPerTim = sizeof(Pair) + 7 * sizeof(double) + 6 * sizeof(double);
+
+/// The pairs that reach the rotation stage, their scale, and what bounds the consensus.
+struct Pruned {
+  Tims tims;
+  double scale = 1;
+  Index upper_bound = 0;
+};
+
+void require_memory_for_tims(const SolveContext& context, Index num_correspondences) {
+  const auto n = static_cast<std::size_t>(num_correspondences);
+  const std::size_t bytes = n * (n - 1) / 2 * kBytesPerTim;
+  if (bytes <= context.options().budget.memory) return;
+  throw std::invalid_argument("budget.memory: " + std::to_string(context.options().budget.memory) +
+                              " bytes, but the scale stage of " +
+                              std::to_string(num_correspondences) + " correspondences takes " +
+                              std::to_string(bytes));
+}
+
+/// Unknown scale: keep the pairs of the maximum clique of the scale consensus graph.
+std::optional<Pruned> prune_by_scale(SolveContext& context, const Correspondences& correspondences,
+                                     const ScaleRange& scales) {
+  const StageTimer timer(context, "scale");
+  require_memory_for_tims(context, correspondences.size());
+  const Tims tims = make_tims(correspondences, all_pairs(correspondences.size()));
+  const auto consensus = scale_consensus(tims, scales);
+  if (!consensus) return std::nullopt;
+  return Pruned{select(tims, consensus->tims), consensus->scale,
+                max_members(static_cast<Index>(consensus->tims.size()))};
+}
+
+/// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al. 2019).
+std::optional<Pruned> prune_by_consistency(SolveContext& context,
+                                           const Correspondences& correspondences, double scale) {
+  const StageTimer timer(context, "graph");
+  const BitsetGraph graph = consistency_graph(consistency_arrays(correspondences, scale),
+                                              {scale, scale}, context.options().num_threads);
+  const CliqueResult clique = context.max_clique(graph, {});
+  const auto size = static_cast<Index>(clique.vertices.size());
+  if (size < 2) return std::nullopt;
+  require_memory_for_tims(context, size);
+  std::vector<Pair> pairs;
+  for (const auto [p, q] : all_pairs(size)) {
+    pairs.push_back({clique.vertices[static_cast<std::size_t>(p)],
+                     clique.vertices[static_cast<std::size_t>(q)]});
+  }
+  return Pruned{make_tims(correspondences, std::move(pairs)), scale, clique.upper_bound};
+}
+
+/// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
+Tims within_memory(SolveContext& context, Tims tims) {
+  Index count = tims.size();
+  while (BitsetGraph::bytes_required(count) > context.options().budget.memory) {
+    count -= count / 16 + 1;
+  }
+  if (count == tims.size()) return tims;
+  context.limit("the memory budget let " + std::to_string(count) + " of " +
+                std::to_string(tims.size()) + " pairs into the rotation graph, the longest ones");
+  std::vector<Index> order(static_cast<std::size_t>(tims.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  const Eigen::ArrayXd lengths = tims.source.colwise().squaredNorm();
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index k, Index l) { return lengths[k] > lengths[l]; });
+  order.resize(static_cast<std::size_t>(count));
+  std::sort(order.begin(), order.end());
+  return select(tims, order);
+}
+
+}  // namespace
+
+MethodResult solve_paper(SolveContext& context, const Correspondences& correspondences,
+                         const ScaleRange& scales) {
+  MethodResult result;
+  result.upper_bound = correspondences.size();
+  const auto pruned = scales.min == scales.max
+                          ? prune_by_consistency(context, correspondences, scales.min)
+                          : prune_by_scale(context, correspondences, scales);
+  if (!pruned) return result;
+  result.upper_bound = std::min(result.upper_bound, pruned->upper_bound);
+
+  const Tims tims = within_memory(context, pruned->tims);
+  const auto rotation = [&] {
+    const StageTimer timer(context, "rotation");
+    return rotation_consensus(context, tims, pruned->scale, kUnlimited);
+  }();
+  if (!rotation) return result;
+
+  const StageTimer timer(context, "translation");
+  const TranslationConsensus translation = translation_consensus(
+      context, correspondences, touched_correspondences(tims, rotation->tims), pruned->scale,
+      rotation->rotation, kUnlimited);
+  if (!rotation->proven || !translation.proven) {
+    context.limit("the clique search of a rotation or translation graph ended before its proof");
+  }
+  result.target_from_source =
+      Similarity{pruned->scale, rotation->rotation, translation.translation};
+  return result;
+}
+
+}  // namespace gmcr

@@ -1,0 +1,80 @@
+#include "registration/pose_from_clique.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "estimation/similarity_fit.hpp"
+#include "registration/local_optimisation.hpp"
+#include "registration/stages.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr std::size_t kMaxMembers = 64;
+constexpr std::size_t kMaxTims = 256;
+constexpr std::uint64_t kMaxCliqueNodes = 10'000;
+
+/// The longest TIMs among up to kMaxMembers members of the clique, spread evenly over it.
+Tims longest_tims(const Correspondences& correspondences, const std::vector<Index>& clique) {
+  std::vector<Index> members;
+  const std::size_t count = std::min(clique.size(), kMaxMembers);
+  for (std::size_t m = 0; m < count; ++m) members.push_back(clique[m * clique.size() / count]);
+
+  std::vector<std::pair<double, Pair>> by_length;
+  for (const auto [p, q] : all_pairs(static_cast<Index>(count))) {
+    const Pair pair{members[static_cast<std::size_t>(p)], members[static_cast<std::size_t>(q)]};
+    const double squared_length =
+        (correspondences.source.col(pair.second) - correspondences.source.col(pair.first))
+            .squaredNorm();
+    by_length.emplace_back(squared_length, pair);
+  }
+  std::stable_sort(by_length.begin(), by_length.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  by_length.resize(std::min(by_length.size(), kMaxTims));
+  std::vector<Pair> pairs;
+  for (const auto& [length, pair] : by_length) pairs.push_back(pair);
+  return make_tims(correspondences, std::move(pairs));
+}
+
+/// Scale (where it is not known), rotation and translation stage on the TIMs of a clique.
+std::optional<Similarity> staged_pose(SolveContext& context, const Correspondences& correspondences,
+                                      const ScaleRange& scales, const std::vector<Index>& clique) {
+  const Tims tims = longest_tims(correspondences, clique);
+  Similarity pose;
+  pose.scale = scales.min;
+  if (scales.min < scales.max) {
+    const auto scale = scale_consensus(tims, scales);
+    if (!scale) return std::nullopt;
+    pose.scale = scale->scale;
+  }
+  const auto rotation = rotation_consensus(context, tims, pose.scale, kMaxCliqueNodes);
+  if (!rotation) return std::nullopt;
+  pose.rotation = rotation->rotation;
+  pose.translation = translation_consensus(context, correspondences,
+                                           touched_correspondences(tims, rotation->tims),
+                                           pose.scale, pose.rotation, kMaxCliqueNodes)
+                         .translation;
+  return pose;
+}
+
+}  // namespace
+
+std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objective& objective,
+                                           const ScaleRange& scales,
+                                           const std::vector<Index>& clique) {
+  const Correspondences& c = objective.correspondences();
+  const auto direct = fit_similarity(c.source, c.target, c.bounds, clique, scales);
+  if (!direct) return std::nullopt;
+  ++context.diagnostics().num_candidates;
+  Hypothesis best = optimise_locally(objective, scales, *direct);
+  if (std::includes(best.inliers.begin(), best.inliers.end(), clique.begin(), clique.end())) {
+    return best;
+  }
+  const auto staged = staged_pose(context, c, scales, clique);
+  if (!staged) return best;
+  ++context.diagnostics().num_candidates;
+  Hypothesis other = optimise_locally(objective, scales, *staged);
+  return is_better(other, best) ? other : best;
+}
+
+}  // namespace gmcr

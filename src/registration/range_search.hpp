@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "clique/degeneracy.hpp"
+#include "gmcr/bitset_graph.hpp"
+#include "gmcr/options.hpp"
+#include "kernels/consistency_row.hpp"
+#include "registration/objective.hpp"
+#include "registration/solve_context.hpp"
+
+namespace gmcr {
+
+/// The best pose so far, and what a better one must exceed.
+class PoseSearch {
+ public:
+  /// @param scales  where the scale must lie; min == max: it is known. Keeps the references.
+  PoseSearch(SolveContext& context, const Objective& objective, const ScaleRange& scales);
+
+  SolveContext& context() { return context_; }
+  const Objective& objective() const { return objective_; }
+  const ScaleRange& scales() const { return scales_; }
+  const kernels::CorrespondenceArrays& arrays() const { return arrays_; }
+
+  /// Turns a clique into a pose and keeps it where it is the best one. Each clique is examined once.
+  void offer(const std::vector<Index>& clique);
+
+  const std::optional<Hypothesis>& best() const { return best_; }
+  double best_evidence() const { return best_ ? best_->evidence : 0; }
+
+  /// Most inliers of any pose examined; the best one may have fewer, of more distinct evidence.
+  Index max_inliers() const { return max_inliers_; }
+
+ private:
+  SolveContext& context_;
+  const Objective& objective_;
+  ScaleRange scales_;
+  kernels::CorrespondenceArrays arrays_;
+  std::optional<Hypothesis> best_;
+  Index max_inliers_ = 0;
+  std::set<std::vector<Index>> examined_;
+};
+
+/// The consistency graph of a range of scales with its core numbers.
+struct RangeGraph {
+  BitsetGraph graph;
+  Degeneracy degeneracy;
+
+  /// L5: no pose with a scale in the range has more inliers.
+  Index core_bound() const { return graph.num_vertices() == 0 ? 0 : degeneracy.degeneracy + 1; }
+};
+
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
+
+/// Offers greedy maximal cliques grown from the vertices of largest core number that no earlier one
+/// covers, as long as a clique there could beat the best evidence.
+void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
+
+/// Searches the range's graph for a clique larger than the most inliers so far and offers it.
+/// @return proven upper bound on the number of inliers of poses in the range, or `max_inliers()` where
+///   none can have more.
+Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes);
+
+}  // namespace gmcr

@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "estimation/spread.hpp"
+#include "gmcr/registration.hpp"
+#include "invariants/correspondences.hpp"
+#include "parallel/parallel_for.hpp"
+#include "registration/certificate.hpp"
+#include "registration/gmcr_method.hpp"
+#include "registration/objective.hpp"
+#include "registration/paper_method.hpp"
+#include "registration/scale_search.hpp"
+#include "registration/solve_context.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr Index kMinInliers = 3;
+
+void validate_input(const PointsRef& source, const PointsRef& target, const Options& options) {
+  options.validate();
+  if (source.cols() != target.cols()) {
+    throw std::invalid_argument("target: " + std::to_string(target.cols()) + " points, but source has " +
+                                std::to_string(source.cols()));
+  }
+  const auto num_bounds = static_cast<Index>(options.noise_bounds.size());
+  if (num_bounds != 0 && num_bounds != source.cols()) {
+    throw std::invalid_argument("noise_bounds: " + std::to_string(num_bounds) + " values for " +
+                                std::to_string(source.cols()) + " correspondences");
+  }
+  for (const auto& [name, points] : {std::pair<const char*, const PointsRef&>{"source", source},
+                                     std::pair<const char*, const PointsRef&>{"target", target}}) {
+    for (Index i = 0; i < points.cols(); ++i) {
+      if (points.col(i).allFinite()) continue;
+      throw std::invalid_argument(std::string(name) + ": point " + std::to_string(i) +
+                                  " is not finite");
+    }
+  }
+}
+
+/// eps_i = beta_i / c (paper, eq:consensus_set).
+Eigen::ArrayXd inlier_bounds(const Options& options, Index count) {
+  if (options.noise_bounds.empty()) {
+    return Eigen::ArrayXd::Constant(count, options.noise_bound / options.threshold);
+  }
+  return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count) / options.threshold;
+}
+
+/// The correspondences none of whose end points an earlier one has, ascending.
+std::vector<Index> first_of_each_point(const PointsRef& source, const PointsRef& target) {
+  using Key = std::tuple<double, double, double>;
+  const auto key = [](const PointsRef& points, Index i) {
+    return Key{points(0, i), points(1, i), points(2, i)};
+  };
+  std::map<Key, Index> first_of_source, first_of_target;
+  std::vector<Index> kept;
+  for (Index i = 0; i < source.cols(); ++i) {
+    const Key a = key(source, i), b = key(target, i);
+    if (first_of_source.contains(a) || first_of_target.contains(b)) continue;
+    first_of_source.emplace(a, i);
+    first_of_target.emplace(b, i);
+    kept.push_back(i);
+  }
+  return kept;
+}
+
+std::vector<Index> used_correspondences(const PointsRef& source, const PointsRef& target,
+                                        bool one_to_one) {
+  if (one_to_one) return first_of_each_point(source, target);
+  std::vector<Index> all(static_cast<std::size_t>(source.cols()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+/// Why the inliers do not determine the transform; empty where they do.
+///
+/// Points that stay within half the noise bound when turned about a line, or scaled about a point, say
+/// nothing about that turn or scale.
+std::string degeneracy_reason(const Points& source, const Similarity& pose,
+                              const std::vector<Index>& inliers, double bound) {
+  const Spread spread = measure_spread(source, inliers);
+  const double tolerance = std::max(bound / 2, 1e-9 * pose.scale * spread.from_centroid);
+  if (pose.scale * spread.from_centroid <= tolerance) {
+    return "the inliers coincide within the noise bound: rotation and scale are not determined";
+  }
+  if (pose.scale * spread.from_line <= tolerance) {
+    return "the inliers are collinear within the noise bound: the rotation about their line is not "
+           "determined";
+  }
+  return {};
+}
+
+/// Fills transform, inliers and verdict from a pose between the centred frames.
+void conclude(Result& result, const Objective& objective, const Similarity& centred_pose,
+              Index upper_bound, const Correspondences& input, const std::vector<Index>& used) {
+  // the pose is judged once more in the caller's frames: these residuals are what the caller can check
+  const Similarity pose = uncentre(centred_pose, objective.correspondences());
+  const Hypothesis verdict = Objective(input, Evidence::Count, 0).judge(pose);
+  result.certificate = certify(verdict.num_inliers(), upper_bound);
+  if (verdict.num_inliers() < kMinInliers) {
+    result.status = Status::NoConsensus;
+    result.status_reason = "no pose found has 3 inliers";
+    return;
+  }
+  result.target_from_source = pose;
+  for (const Index i : verdict.inliers) {
+    result.inliers.push_back(used[static_cast<std::size_t>(i)]);
+    result.evidence += objective.weight(i, pose.scale);
+  }
+  result.status_reason = degeneracy_reason(objective.correspondences().source, pose, verdict.inliers,
+                                           input.bounds(verdict.inliers).maxCoeff());
+  result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
+}
+
+ScaleRange scales_to_search(const Options& options, const Correspondences& correspondences) {
+  if (options.scale_mode == ScaleMode::Known) return {options.scale, options.scale};
+  return options.scale_range.value_or(default_scale_range(correspondences));
+}
+
+}  // namespace
+
+Result register_correspondences(const PointsRef& source, const PointsRef& target,
+                                const Options& options) {
+  validate_input(source, target, options);
+  Result result;
+  SolveContext context(options, result.diagnostics);
+  const Deadline clock(0);
+  const std::vector<Index> used = used_correspondences(source, target, options.one_to_one);
+  Diagnostics& diagnostics = result.diagnostics;
+  diagnostics.num_correspondences = source.cols();
+  diagnostics.num_used = static_cast<Index>(used.size());
+  diagnostics.num_threads = resolve_num_threads(options.num_threads);
+  if (diagnostics.num_used < kMinInliers) {
+    result.status_reason = std::to_string(used.size()) + " correspondences; 3 are needed";
+    result.certificate = certify(0, diagnostics.num_used);
+    diagnostics.total_seconds = clock.elapsed();
+    return result;
+  }
+  context.require_memory_for_graph(diagnostics.num_used);
+
+  Correspondences input;
+  input.source = source(Eigen::all, used);
+  input.target = target(Eigen::all, used);
+  input.bounds = inlier_bounds(options, source.cols())(used);
+  const Correspondences centred = centre(input.source, input.target, input.bounds);
+  const Objective objective(centred, options.evidence, options.budget.memory / 4);
+  if (!objective.weights_complete()) {
+    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+  }
+  const ScaleRange scales = scales_to_search(options, centred);
+  const MethodResult found = options.method == Method::Gmcr
+                                 ? solve_gmcr(context, objective, scales)
+                                 : solve_paper(context, centred, scales);
+  if (found.target_from_source) {
+    conclude(result, objective, *found.target_from_source, found.upper_bound, input, used);
+  } else {
+    result.status = Status::NoConsensus;
+    result.status_reason = "no three correspondences agree on a pose";
+    result.certificate = certify(0, found.upper_bound);
+  }
+  diagnostics.total_seconds = clock.elapsed();
+  return result;
+}
+
+}  // namespace gmcr

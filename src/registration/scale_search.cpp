@@ -1,0 +1,141 @@
+#include "registration/scale_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+
+#include "consensus/scale_bins.hpp"
+#include "registration/certificate.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr double kBinRatio = 1.02;
+constexpr double kMinRatio = 1.0001;  // a bin as narrow as this is not halved again
+constexpr double kSizeFactor = 20;
+constexpr Index kMaxModes = 40;
+constexpr Index kMaxStarts = 64;
+constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
+
+/// A range of scales and the most inliers that a pose in it can have.
+struct BoundedRange {
+  ScaleRange scales;
+  Index bound = 0;
+  bool searched = false;
+
+  bool operator<(const BoundedRange& other) const {
+    if (bound != other.bound) return bound < other.bound;
+    return scales.min > other.scales.min;
+  }
+};
+
+ScaleVotes vote(PoseSearch& search, const ScaleBins& bins) {
+  const StageTimer timer(search.context(), "scale_votes");
+  // the weights change slowly with the scale: one table entry serves several bins
+  constexpr Index kBinsPerEntry = 16;
+  const Index n = search.arrays().size(), num_entries = (bins.size() - 1) / kBinsPerEntry + 1;
+  Eigen::ArrayXXd weights(num_entries, n);
+  for (Index i = 0; i < n; ++i) {
+    for (Index entry = 0; entry < num_entries; ++entry) {
+      weights(entry, i) = search.objective().weight(i, bins[entry * kBinsPerEntry].min);
+    }
+  }
+  return count_scale_votes(
+      search.arrays(), bins, [&](Index i, Index bin) { return weights(bin / kBinsPerEntry, i); },
+      search.context().options().num_threads);
+}
+
+/// The two halves of a range, of equal ratio, with the bound of the whole.
+std::pair<BoundedRange, BoundedRange> halves(const BoundedRange& range) {
+  const double middle = std::sqrt(range.scales.min * range.scales.max);
+  return {{{range.scales.min, middle}, range.bound}, {{middle, range.scales.max}, range.bound}};
+}
+
+/// Branch and bound over the scale. @return upper bound on the inliers of any pose.
+Index bound_scales(PoseSearch& search, const ScaleBins& bins, const std::vector<Index>& bounds) {
+  std::vector<BoundedRange> ranges;
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    ranges.push_back({bins[bin], bounds[static_cast<std::size_t>(bin)]});
+  }
+  std::priority_queue<BoundedRange> queue({}, std::move(ranges));
+  const Index max_ranges = 2 * bins.size();
+  for (Index searched = 0; !queue.empty() && queue.top().bound > search.max_inliers();) {
+    BoundedRange range = queue.top();
+    if (searched == max_ranges) {
+      search.context().limit("the search over the scale ended before its proof");
+      return range.bound;
+    }
+    if (search.context().stopped()) return range.bound;
+    queue.pop();
+    if (range.searched) {
+      if (range.scales.max / range.scales.min < kMinRatio) return range.bound;
+      const auto [lower, upper] = halves(range);
+      queue.push(lower);
+      queue.push(upper);
+      continue;
+    }
+    const RangeGraph graph = build_range_graph(search, range.scales);
+    range.bound = std::min(range.bound, search_maximum_clique(search, graph, kMaxNodes));
+    range.searched = true;
+    queue.push(range);
+    search.context().report("scale_search", static_cast<double>(++searched) /
+                                                static_cast<double>(max_ranges));
+  }
+  return search.max_inliers();
+}
+
+/// Bins of most evidence, none of them beside a better one.
+std::vector<Index> top_modes(const std::vector<double>& evidence) {
+  constexpr Index kNeighbours = 2;
+  const auto count = static_cast<Index>(evidence.size());
+  std::vector<Index> order(evidence.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return evidence[static_cast<std::size_t>(a)] > evidence[static_cast<std::size_t>(b)];
+  });
+  std::vector<bool> taken(evidence.size(), false);
+  std::vector<Index> modes;
+  for (const Index bin : order) {
+    if (static_cast<Index>(modes.size()) == kMaxModes) break;
+    if (taken[static_cast<std::size_t>(bin)]) continue;
+    modes.push_back(bin);
+    for (Index near = std::max<Index>(0, bin - kNeighbours);
+         near <= std::min(count - 1, bin + kNeighbours); ++near) {
+      taken[static_cast<std::size_t>(near)] = true;
+    }
+  }
+  return modes;
+}
+
+/// L7: candidate cliques at the scales of most evidence.
+void explore_modes(PoseSearch& search, const ScaleBins& bins, const ScaleVotes& votes,
+                   const std::vector<Index>& bounds) {
+  for (const Index bin : top_modes(votes.evidence)) {
+    const auto bound = static_cast<double>(bounds[static_cast<std::size_t>(bin)]);
+    if (bound <= search.best_evidence()) continue;
+    if (search.context().stopped()) return;
+    const RangeGraph graph = build_range_graph(search, bins[bin]);
+    if (static_cast<double>(graph.core_bound()) <= search.best_evidence()) continue;
+    grow_cliques(search, graph, kMaxStarts);
+  }
+}
+
+}  // namespace
+
+ScaleRange default_scale_range(const Correspondences& correspondences) {
+  const double source = correspondences.source.norm(), target = correspondences.target.norm();
+  const double ratio = source > 0 && target > 0 ? target / source : 1;
+  return {ratio / kSizeFactor, ratio * kSizeFactor};
+}
+
+Index search_scales(PoseSearch& search) {
+  const ScaleBins bins(search.scales(), kBinRatio);
+  const ScaleVotes votes = vote(search, bins);
+  std::vector<Index> bounds;
+  for (const Index pairs : votes.pairs) bounds.push_back(max_members(pairs));
+  explore_modes(search, bins, votes, bounds);
+  return bound_scales(search, bins, bounds);
+}
+
+}  // namespace gmcr

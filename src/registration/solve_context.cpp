@@ -1,0 +1,62 @@
+#include "registration/solve_context.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace gmcr {
+
+SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
+    : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time) {}
+
+bool SolveContext::stopped() {
+  if (cancelled_) {
+    limit("the caller stopped the search");
+    return true;
+  }
+  if (!deadline_.expired()) return false;
+  limit("the time budget ended the search");
+  return true;
+}
+
+void SolveContext::report(const char* stage, double fraction) {
+  if (!options_.progress || cancelled_) return;
+  cancelled_ = !options_.progress(Progress{stage, std::clamp(fraction, 0.0, 1.0)});
+}
+
+void SolveContext::limit(const std::string& sentence) {
+  auto& limits = diagnostics_.limits_hit;
+  if (std::find(limits.begin(), limits.end(), sentence) == limits.end()) {
+    limits.push_back(sentence);
+  }
+}
+
+CliqueResult SolveContext::max_clique(const BitsetGraph& graph, CliqueOptions clique_options) {
+  clique_options.time_limit =
+      stopped() ? 0 : std::min(clique_options.time_limit, deadline_.remaining());
+  CliqueResult result = options_.clique_solver
+                            ? options_.clique_solver->solve(graph, clique_options)
+                            : gmcr::max_clique(graph, clique_options);
+  diagnostics_.num_clique_nodes += result.nodes;
+  return result;
+}
+
+void SolveContext::require_memory_for_graph(Index num_vertices) const {
+  const std::size_t bytes = BitsetGraph::bytes_required(num_vertices);
+  if (bytes <= options_.budget.memory) return;
+  throw std::invalid_argument("budget.memory: " + std::to_string(options_.budget.memory) +
+                              " bytes, but the consistency graph of " +
+                              std::to_string(num_vertices) + " correspondences takes " +
+                              std::to_string(bytes));
+}
+
+void SolveContext::add_stage_time(const char* stage, double seconds) {
+  for (StageTime& known : diagnostics_.stages) {
+    if (known.name == stage) {
+      known.seconds += seconds;
+      return;
+    }
+  }
+  diagnostics_.stages.push_back({stage, seconds});
+}
+
+}  // namespace gmcr

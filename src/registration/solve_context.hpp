@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+
+#include "gmcr/clique.hpp"
+#include "gmcr/options.hpp"
+#include "gmcr/result.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr {
+
+/// What all stages of one solve share: the options, the time that is left, and the record of the work.
+class SolveContext {
+ public:
+  SolveContext(const Options& options, Diagnostics& diagnostics);
+
+  const Options& options() const { return options_; }
+  Diagnostics& diagnostics() { return diagnostics_; }
+
+  /// Whether the work has to end now; notes in the diagnostics which limit says so.
+  bool stopped();
+
+  /// Tells the caller how far a stage is; a caller may answer by stopping the solve.
+  void report(const char* stage, double fraction);
+
+  /// Notes a limit that made the work less than complete, once.
+  void limit(const std::string& sentence);
+
+  /// Maximum clique by the caller's solver or ours, within the time that is left.
+  CliqueResult max_clique(const BitsetGraph& graph, CliqueOptions clique_options);
+
+  /// @throws std::invalid_argument where a graph of that size exceeds the memory budget.
+  void require_memory_for_graph(Index num_vertices) const;
+
+  void add_stage_time(const char* stage, double seconds);
+
+ private:
+  const Options& options_;
+  Diagnostics& diagnostics_;
+  Deadline deadline_;
+  bool cancelled_ = false;
+};
+
+/// Adds the time of its own life to a stage.
+class StageTimer {
+ public:
+  StageTimer(SolveContext& context, const char* stage) : context_(context), stage_(stage) {}
+  ~StageTimer() { context_.add_stage_time(stage_, lifetime_.elapsed()); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  SolveContext& context_;
+  const char* stage_;
+  Deadline lifetime_{0};
+};
+
+}  // namespace gmcr
