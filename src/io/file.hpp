@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace gmcr::io {
+
+/// All bytes of a file.
+/// @throws IoError where it is missing, a directory, unreadable or empty.
+std::string read_file(const std::filesystem::path& path);
+
+/// Replaces the file by `content`.
+/// @throws IoError where that fails, also at the last byte (a full disk).
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// Extension in lower case with its dot; ".pcd.bin" counts as one.
+std::string extension_of(const std::filesystem::path& path);
+
+/// "unknown extension '.foo' (known: ...)", or "no extension (known: ...)".
+std::string unknown_extension(const std::string& extension, std::string_view known);
+
+}  // namespace gmcr::io

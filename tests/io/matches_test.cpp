@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "gmcr/io.hpp"
+#include "io/expect_io_error.hpp"
+#include "io/temporary_folder.hpp"
+
+namespace gmcr {
+namespace {
+
+using test::TemporaryFolder;
+
+void expect_error(const std::filesystem::path& path, std::size_t line, const std::string& words) {
+  test::expect_io_error([&] { read_matches(path); }, path, line, words);
+}
+
+RC_GTEST_PROP(Matches, AreReadBackBitForBit, (std::vector<double> values)) {
+  const TemporaryFolder folder;
+  for (double& value : values) {
+    if (!std::isfinite(value)) value = -1e300;
+  }
+  values.resize(values.size() / 6 * 6);
+  const auto count = static_cast<Index>(values.size()) / 6;
+  const Points source = Eigen::Map<const Points>(values.data(), 3, count);
+  const Points target = Eigen::Map<const Points>(values.data() + 3 * count, 3, count);
+  for (const char* name : {"a.csv", "a.npy"}) {
+    write_matches(folder / name, source, target);
+    const Matches matches = read_matches(folder / name);
+    RC_ASSERT(matches.source.cols() == count);
+    RC_ASSERT(matches.source == source);
+    RC_ASSERT(matches.target == target);
+  }
+}
+
+TEST(ReadMatches, FindsTheColumnsThatAHeaderNames) {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {"1,2,3,4,5,6\n", "ax,ay,az,bx,by,bz\n1,2,3,4,5,6\n",
+        "sx,sy,sz,tx,ty,tz,gt_residual\n1,2,3,4,5,6,99\n",
+        "i,j,sx,sy,sz,tx,ty,tz,pfh_distance\n7,8,1,2,3,4,5,6,nan\n",
+        "bz;by;bx;az;ay;ax;name\n6;5;4;3;2;1;first\n",
+        "source_x source_y source_z target_x target_y target_z\n1 2 3 4 5 6\n",
+        "SRC_X,SRC_Y,SRC_Z,DST_X,DST_Y,DST_Z\n1,2,3,4,5,6\n", "u,v,w,p,q,r\n1,2,3,4,5,6\n"}) {
+    const Matches matches = read_matches(folder.write("a.csv", text));
+    EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << text;
+    EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
+  }
+}
+
+TEST(ReadMatches, TakesAHeaderWithoutRowsForNoMatches) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_matches(folder.write("a.csv", "ax,ay,az,bx,by,bz\n")).source.cols(), 0);
+}
+
+TEST(ReadMatches, NamesTheLineOfAnError) {
+  const TemporaryFolder folder;
+  expect_error(folder.write("a.csv", "1,2,3,4,5,6,7\n"), 1, "7 columns, expected 6");
+  expect_error(folder.write("b.csv", "i,j,u,v,w,p,q,r\n"), 1, "8 columns, expected 6");
+  expect_error(folder.write("c.csv", "1,2,3,4,5,6\n1,2,3,4,5\n"), 2, "5 columns");
+  expect_error(folder.write("d.csv", "1,2,3,4,5,6\n1,2,3,4,5,six\n"), 2, "'six'");
+  expect_error(folder.write("e.csv", "1,2,x,4,5,6\n1,2,3,4,5,6\n"), 1, "'x'");
+  expect_error(folder.write("f.csv", "ax,ay,az,bx,by,bz\n\n1,2,3,4,5,6\n1,2,3,4,nan,6\n"), 4,
+               "row 1 (from 0): a value is not finite");
+  expect_error(folder.write("g.csv", "1,2,3,4,5,1e999\n"), 1, "'1e999'");
+}
+
+TEST(ReadMatches, RefusesOtherFiles) {
+  const TemporaryFolder folder;
+  expect_error(folder / "a.csv", 0, "No such file");
+  expect_error(folder.write("a.csv", ""), 0, "empty");
+  expect_error(folder.write("a.ply", "ply\n"), 0, "unknown extension '.ply' (known: .csv, .npy)");
+  expect_error(folder.write("a.npy", "1,2,3,4,5,6\n"), 0, "no .npy file");
+  write_cloud(folder / "cloud.npy", Points::Ones(3, 2));
+  expect_error(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6)");
+  Points bad = Points::Ones(3, 2);
+  bad(0, 1) = INFINITY;
+  write_matches(folder / "bad.npy", bad, bad);
+  expect_error(folder / "bad.npy", 0, "row 1 (from 0)");
+}
+
+TEST(WriteMatches, RefusesSidesOfDifferentLength) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_matches(folder / "a.csv", Points::Ones(3, 2), Points::Ones(3, 1)),
+               std::invalid_argument);
+  EXPECT_THROW(write_matches(folder / "a.txt", Points::Ones(3, 1), Points::Ones(3, 1)), IoError);
+}
+
+}  // namespace
+}  // namespace gmcr
