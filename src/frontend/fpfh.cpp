@@ -28,8 +28,10 @@ std::optional<PairAngles> pair_angles(const Eigen::Vector3d& offset, const Eigen
   if (distance == 0) return std::nullopt;
   const double cos1 = n1.dot(offset) / distance;
   const double cos2 = n2.dot(offset) / distance;
-  // the frame sits at the point whose normal is closer to the line between the two
-  const bool at_first = std::abs(cos1) >= std::abs(cos2);
+  // the frame sits at the point whose normal is closer to the line between the two, the first where
+  // they are equal: parallel normals are common, and rounding must not decide
+  constexpr double kTie = 1e-9;
+  const bool at_first = std::abs(cos1) >= std::abs(cos2) - kTie;
   const Eigen::Vector3d& u = at_first ? n1 : n2;
   const Eigen::Vector3d& other = at_first ? n2 : n1;
   Eigen::Vector3d v =

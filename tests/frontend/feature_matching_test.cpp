@@ -1,0 +1,127 @@
+#include "frontend/feature_matching.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace gmcr {
+namespace {
+
+/// Whole numbers, whose squared distances are exact in float whatever the order of the sums.
+Features random_features(Index count, unsigned seed, int largest = 20) {
+  std::mt19937 generator(seed);
+  std::uniform_int_distribution<int> value(1, largest);
+  return Features::NullaryExpr(kFpfhBins, count,
+                               [&] { return static_cast<float>(value(generator)); });
+}
+
+struct Ranked {
+  Index index = -1;
+  float squared_distance = std::numeric_limits<float>::infinity();
+  float second = std::numeric_limits<float>::infinity();
+};
+
+Ranked nearest(const Features& features, const Eigen::Vector<float, kFpfhBins>& query) {
+  Ranked best;
+  for (Index j = 0; j < features.cols(); ++j) {
+    const float d = (features.col(j) - query).squaredNorm();
+    if (d < best.squared_distance) {
+      best = {j, d, best.squared_distance};
+    } else if (d < best.second) {
+      best.second = d;
+    }
+  }
+  return best;
+}
+
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+Pairs as_pairs(const std::vector<FeatureMatch>& matches) {
+  Pairs pairs;
+  for (const auto& match : matches) pairs.emplace_back(match.source, match.target);
+  return pairs;
+}
+
+Pairs oracle(const Features& source, const Features& target, const MatchingOptions& options) {
+  Pairs pairs;
+  for (Index i = 0; i < source.cols(); ++i) {
+    const Ranked best = nearest(target, source.col(i));
+    if (options.mutual && nearest(source, target.col(best.index)).index != i) continue;
+    if (options.max_ratio < 1 &&
+        best.squared_distance > options.max_ratio * options.max_ratio * best.second) {
+      continue;
+    }
+    pairs.emplace_back(i, best.index);
+  }
+  return pairs;
+}
+
+TEST(FeatureMatching, AgreesWithBruteForceForAllOptionsAndSizes) {
+  for (const Index n : {1, 3, 8, 9, 257, 600}) {
+    const Features source = random_features(n, 1);
+    const Features target = random_features(n + n / 3 + 5, 2);
+    for (const bool mutual : {false, true}) {
+      for (const float ratio : {1.0f, 0.95f}) {
+        const MatchingOptions options{mutual, ratio, 0};
+        EXPECT_EQ(as_pairs(match_features(source, target, options)),
+                  oracle(source, target, options))
+            << n << ' ' << mutual << ' ' << ratio;
+      }
+    }
+  }
+}
+
+TEST(FeatureMatching, BreaksTiesTowardTheSmallestIndex) {
+  const Features one = random_features(1, 3);
+  const Features many = one.replicate(1, 700);
+  EXPECT_EQ(as_pairs(match_features(many, many, {true, 1, 0})), (Pairs{{0, 0}}));
+  const auto all = match_features(many, many, {false, 1, 0});
+  ASSERT_EQ(all.size(), 700u);
+  for (const auto& match : all) EXPECT_EQ(match.target, 0);
+}
+
+TEST(FeatureMatching, OfManyEqualFeaturesAgreesWithBruteForce) {
+  const Features source = random_features(400, 4, 1);
+  Features target = source;
+  target.row(5).tail(200).setConstant(2);
+  for (const bool mutual : {false, true}) {
+    const MatchingOptions options{mutual, 1, 0};
+    EXPECT_EQ(as_pairs(match_features(source, target, options)), oracle(source, target, options));
+  }
+}
+
+TEST(FeatureMatching, LeavesOutColumnsOfZeros) {
+  Features source = random_features(20, 5);
+  Features target = source;
+  source.col(3).setZero();
+  target.col(7).setZero();
+  const auto matches = as_pairs(match_features(source, target, {true, 1, 0}));
+  EXPECT_EQ(matches.size(), 18u);
+  for (const auto& [i, j] : matches) {
+    EXPECT_EQ(i, j);
+    EXPECT_NE(i, 3);
+    EXPECT_NE(i, 7);
+  }
+}
+
+TEST(FeatureMatching, OfNothingIsNothing) {
+  const Features none(kFpfhBins, 0);
+  const Features some = random_features(5, 6);
+  const Features zeros = Features::Zero(kFpfhBins, 5);
+  EXPECT_TRUE(match_features(none, some, {}).empty());
+  EXPECT_TRUE(match_features(some, none, {}).empty());
+  EXPECT_TRUE(match_features(some, zeros, {}).empty());
+}
+
+TEST(FeatureMatching, DoesNotDependOnTheNumberOfThreads) {
+  const Features source = random_features(2000, 7);
+  const Features target = random_features(1500, 8);
+  const auto one = as_pairs(match_features(source, target, {true, 1, 1}));
+  for (const int threads : {2, 5}) {
+    EXPECT_EQ(as_pairs(match_features(source, target, {true, 1, threads})), one);
+  }
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "frontend/shapes.hpp"
+#include "gmcr/frontend.hpp"
+#include "gmcr/metrics.hpp"
+
+namespace gmcr {
+namespace {
+
+using testing::bumpy_sphere;
+using testing::random_points;
+using testing::some_motion;
+
+TEST(RegisterClouds, RecoversAKnownMotion) {
+  const Points source = bumpy_sphere(6000, 1);
+  const Similarity motion = some_motion();
+  const CloudResult result = register_clouds(source, motion.apply(bumpy_sphere(6000, 2)));
+  ASSERT_EQ(result.registration.status, Status::Ok);
+  EXPECT_LT(rotation_error_deg(result.registration.target_from_source.rotation, motion.rotation),
+            3);
+  EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, source), 0.05);
+  EXPECT_EQ(result.verdict, Verdict::Trusted);
+  EXPECT_GT(result.fitness, 0.6);
+  EXPECT_GT(result.overlap_rmse, 0);
+  EXPECT_LT(result.overlap_rmse, result.matches.target_voxel_size);
+  EXPECT_EQ(result.num_source_points, 6000);
+  EXPECT_EQ(result.num_target_points, 6000);
+}
+
+TEST(RegisterClouds, RecoversAnUnknownScale) {
+  const Points source = bumpy_sphere(6000, 1);
+  for (const double scale : {0.1, 10.0}) {
+    const Similarity motion = some_motion(scale);
+    Options options;
+    options.scale_mode = ScaleMode::Estimated;
+    const CloudResult result =
+        register_clouds(source, motion.apply(bumpy_sphere(6000, 2)), {}, options);
+    ASSERT_EQ(result.registration.status, Status::Ok);
+    EXPECT_LT(scale_error(result.registration.target_from_source.scale, scale), 0.03);
+    EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, source),
+              0.08 * scale);
+  }
+}
+
+TEST(RegisterClouds, InliersAreWithinTheBoundTheResultNames) {
+  const Points source = bumpy_sphere(5000, 1);
+  const CloudResult result = register_clouds(source, some_motion().apply(bumpy_sphere(5000, 2)));
+  const auto& matches = result.matches;
+  const Points moved = result.registration.target_from_source.apply(matches.source);
+  std::vector<Index> within;
+  for (Index i = 0; i < moved.cols(); ++i) {
+    if ((moved.col(i) - matches.target.col(i)).norm() <= matches.noise_bound) within.push_back(i);
+  }
+  EXPECT_EQ(result.registration.inliers, within);
+}
+
+TEST(RegisterClouds, OfUnrelatedCloudsIsNotTrusted) {
+  const CloudResult result = register_clouds(bumpy_sphere(3000, 1), 2 * random_points(3000, 2));
+  EXPECT_NE(result.verdict, Verdict::Trusted);
+  EXPECT_FALSE(result.verdict_reason.empty());
+  EXPECT_GT(result.num_attempts, 1);
+}
+
+TEST(RegisterClouds, OfCloudsWithoutASurfaceHasNoPose) {
+  const Points whole = bumpy_sphere(500, 1);
+  for (const Points& cloud :
+       {Points(3, 0), Points(random_points(2, 1)), Points(Points::Constant(3, 100, 4.0))}) {
+    const CloudResult result = register_clouds(cloud, whole);
+    EXPECT_EQ(result.registration.status, Status::TooFewCorrespondences);
+    EXPECT_EQ(result.verdict, Verdict::Untrusted);
+    EXPECT_EQ(result.fitness, 0);
+    EXPECT_NE(result.verdict_reason.find("no pose"), std::string::npos);
+  }
+}
+
+TEST(RegisterClouds, StopsAtMaxAttempts) {
+  FrontendOptions frontend;
+  frontend.max_attempts = 1;
+  EXPECT_EQ(
+      register_clouds(bumpy_sphere(3000, 1), 2 * random_points(3000, 2), frontend).num_attempts, 1);
+}
+
+TEST(RegisterClouds, ReportsTheStagesOfBothParts) {
+  const Points source = bumpy_sphere(3000, 1);
+  const CloudResult result = register_clouds(source, bumpy_sphere(3000, 2));
+  const auto& stages = result.registration.diagnostics.stages;
+  ASSERT_GT(stages.size(), 4u);
+  EXPECT_EQ(stages[0].name, "voxel");
+  EXPECT_EQ(stages[3].name, "matching");
+  EXPECT_GT(result.registration.diagnostics.total_seconds, 0);
+}
+
+TEST(RegisterClouds, DoesNotDependOnTheNumberOfThreads) {
+  const Points source = bumpy_sphere(4000, 1);
+  const Points target = some_motion().apply(bumpy_sphere(4000, 2));
+  Options options;
+  options.num_threads = 1;
+  const CloudResult one = register_clouds(source, target, {}, options);
+  options.num_threads = 3;
+  const CloudResult three = register_clouds(source, target, {}, options);
+  EXPECT_EQ(three.registration.target_from_source.matrix(),
+            one.registration.target_from_source.matrix());
+  EXPECT_EQ(three.registration.inliers, one.registration.inliers);
+  EXPECT_EQ(three.fitness, one.fitness);
+  EXPECT_EQ(three.overlap_rmse, one.overlap_rmse);
+}
+
+TEST(RegisterClouds, VerdictsHaveNames) {
+  EXPECT_STREQ(to_string(Verdict::Trusted), "trusted");
+  EXPECT_STREQ(to_string(Verdict::Doubtful), "doubtful");
+  EXPECT_STREQ(to_string(Verdict::Untrusted), "untrusted");
+}
+
+}  // namespace
+}  // namespace gmcr
