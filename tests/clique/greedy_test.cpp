@@ -1,0 +1,67 @@
+#include "clique/greedy.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <stdexcept>
+
+#include "clique/graphs.hpp"
+
+namespace gmcr {
+namespace {
+
+bool is_maximal(const BitsetGraph& graph, const std::vector<Index>& clique) {
+  for (Index v = 0; v < graph.num_vertices(); ++v) {
+    bool fits = true;
+    for (const Index u : clique) fits = fits && u != v && graph.has_edge(u, v);
+    if (fits) return false;
+  }
+  return true;
+}
+
+RC_GTEST_PROP(GreedyClique, IsAMaximalCliqueWithItsStart, ()) {
+  const Index n = *rc::gen::inRange<Index>(1, 150);
+  const double density = *rc::gen::inRange(0, 101) / 100.0;
+  const BitsetGraph graph = test::random_graph(n, density, *rc::gen::arbitrary<std::uint64_t>());
+  const Index start = *rc::gen::inRange<Index>(0, n);
+  const auto priority = *rc::gen::container<std::vector<Index>>(static_cast<std::size_t>(n),
+                                                                rc::gen::inRange<Index>(0, 10));
+  const Index max_candidates = *rc::gen::inRange<Index>(0, 150);
+  for (const auto& clique : {greedy_clique(graph, start, priority), greedy_clique(graph, start, {}),
+                             greedy_clique_by_candidates(graph, start, priority, max_candidates)}) {
+    RC_ASSERT(test::is_ascending_clique(graph, clique));
+    RC_ASSERT(is_maximal(graph, clique));
+    RC_ASSERT(std::find(clique.begin(), clique.end(), start) != clique.end());
+  }
+}
+
+TEST(GreedyClique, PrefersHighPriorityAndThenTheSmallestIndex) {
+  // 0 is joined to 1, 2, 3, 4, which are not joined to each other.
+  BitsetGraph star(5);
+  for (Index v = 1; v < 5; ++v) star.add_edge(0, v);
+  EXPECT_EQ(greedy_clique(star, 0, {}), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(greedy_clique(star, 0, std::vector<Index>{0, 1, 7, 7, 3}), (std::vector<Index>{0, 2}));
+}
+
+TEST(GreedyCliqueByCandidates, CountsNeighboursAmongTheCandidates) {
+  // The start 0 sees the triangle 4, 5, 6 and the vertex 1, which has the higher priority.
+  BitsetGraph graph(7);
+  for (const Index v : {1, 4, 5, 6}) graph.add_edge(0, v);
+  graph.add_edge(4, 5);
+  graph.add_edge(4, 6);
+  graph.add_edge(5, 6);
+  const std::vector<Index> priority{0, 9, 0, 0, 0, 0, 0};
+  EXPECT_EQ(greedy_clique(graph, 0, priority), (std::vector<Index>{0, 1}));
+  EXPECT_EQ(greedy_clique_by_candidates(graph, 0, priority), (std::vector<Index>{0, 4, 5, 6}));
+  EXPECT_EQ(greedy_clique_by_candidates(graph, 0, priority, 3), (std::vector<Index>{0, 1}));
+}
+
+TEST(GreedyClique, RejectsAForeignStartAndAWrongNumberOfPriorities) {
+  const BitsetGraph graph(3);
+  EXPECT_THROW(greedy_clique(graph, 3, {}), std::invalid_argument);
+  EXPECT_THROW(greedy_clique(graph, -1, {}), std::invalid_argument);
+  EXPECT_THROW(greedy_clique(graph, 0, std::vector<Index>{1, 2}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "clique/branch_and_bound.hpp"
+#include "clique/graphs.hpp"
+#include "clique/oracles.hpp"
+#include "gmcr/clique.hpp"
+
+namespace gmcr {
+namespace {
+
+/// What any result promises, whatever ended it.
+void expect_valid(const BitsetGraph& graph, const CliqueResult& result, Index clique_number,
+                  Index must_exceed = 0) {
+  const Index size = static_cast<Index>(result.vertices.size());
+  EXPECT_TRUE(test::is_ascending_clique(graph, result.vertices));
+  EXPECT_GE(result.upper_bound, size);
+  EXPECT_GE(std::max(result.upper_bound, must_exceed), clique_number);
+  EXPECT_EQ(result.proven_optimal, result.upper_bound <= std::max(size, must_exceed));
+}
+
+TEST(CliqueLimits, EveryNodeBudgetLeavesAValidBound) {
+  std::uint64_t seed = 0;
+  for (const double density : {0.5, 0.8, 0.95}) {
+    const BitsetGraph graph = test::random_graph(90, density, ++seed);
+    const Index clique_number = test::cliquer_clique_number(graph);
+    const CliqueResult full = max_clique(graph);
+    bool ended_early = false;
+    CliqueOptions options;
+    for (std::uint64_t nodes = 0; nodes < full.nodes + 2; nodes += 1 + nodes / 8) {
+      options.max_nodes = nodes;
+      const CliqueResult result = max_clique(graph, options);
+      expect_valid(graph, result, clique_number);
+      EXPECT_LE(result.nodes, nodes);
+      ended_early = ended_early || !result.proven_optimal;
+    }
+    EXPECT_TRUE(ended_early) << "the budget must have been able to bind at density " << density;
+  }
+}
+
+TEST(CliqueLimits, EveryNodeBudgetOfTheInnerSearchLeavesAValidBound) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const BitsetGraph graph = test::random_graph(18, 0.3 + 0.015 * static_cast<double>(seed), seed);
+    const Index clique_number = test::brute_force_clique_number(graph);
+    BranchAndBound search;
+    for (std::uint64_t max_nodes = 0; max_nodes < 40; ++max_nodes) {
+      for (const Index to_beat : {0, 3, 6}) {
+        SearchBudget budget(1e9, max_nodes);
+        const auto outcome = search.search(graph, to_beat, budget);
+        EXPECT_GE(outcome.upper_bound, clique_number > to_beat ? clique_number : to_beat);
+        if (!budget.spent()) {
+          EXPECT_EQ(outcome.upper_bound, std::max(clique_number, to_beat));
+        }
+      }
+    }
+  }
+}
+
+TEST(CliqueLimits, NodeBudgetIsDeterministic) {
+  const BitsetGraph graph = test::random_graph(200, 0.8, 4);
+  CliqueOptions options;
+  options.max_nodes = 500;
+  const CliqueResult first = max_clique(graph, options);
+  const CliqueResult second = max_clique(graph, options);
+  EXPECT_FALSE(first.proven_optimal);
+  EXPECT_EQ(first.nodes, 500u);
+  EXPECT_EQ(first.vertices, second.vertices);
+  EXPECT_EQ(first.upper_bound, second.upper_bound);
+}
+
+TEST(CliqueLimits, NoTimeReturnsAtOnceWithAValidBound) {
+  const BitsetGraph graph = test::random_graph(400, 0.9, 5);
+  CliqueOptions options;
+  options.time_limit = 0;
+  const CliqueResult result = max_clique(graph, options);
+  EXPECT_TRUE(test::is_ascending_clique(graph, result.vertices));
+  EXPECT_FALSE(result.vertices.empty());
+  EXPECT_FALSE(result.proven_optimal);
+  EXPECT_EQ(result.upper_bound, 400);
+  EXPECT_EQ(result.nodes, 0u);
+}
+
+TEST(CliqueLimits, TimeLimitEndsAHardSearch) {
+  const BitsetGraph graph = test::random_graph(600, 0.95, 6);
+  CliqueOptions options;
+  options.time_limit = 0.2;
+  const auto start = std::chrono::steady_clock::now();
+  const CliqueResult result = max_clique(graph, options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_FALSE(result.proven_optimal);
+  EXPECT_GT(result.upper_bound, static_cast<Index>(result.vertices.size()));
+  EXPECT_LT(elapsed.count(), 5.0);
+}
+
+TEST(CliqueLimits, MustExceedProvesThatNoLargerCliqueExists) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const BitsetGraph graph = test::random_graph(16, 0.1 + 0.014 * static_cast<double>(seed), seed);
+    const Index clique_number = test::brute_force_clique_number(graph);
+    for (Index floor = 0; floor <= 18; ++floor) {
+      CliqueOptions options;
+      options.must_exceed = floor;
+      const CliqueResult result = max_clique(graph, options);
+      expect_valid(graph, result, clique_number, floor);
+      EXPECT_TRUE(result.proven_optimal);
+      if (clique_number > floor) {
+        EXPECT_EQ(static_cast<Index>(result.vertices.size()), clique_number);
+      } else {
+        EXPECT_LE(result.upper_bound, floor);
+      }
+    }
+  }
+}
+
+TEST(CliqueLimits, MustExceedSavesNodes) {
+  const BitsetGraph graph = test::random_graph(150, 0.7, 12);
+  const CliqueResult free = max_clique(graph);
+  CliqueOptions options;
+  options.must_exceed = free.upper_bound + 2;
+  EXPECT_LT(max_clique(graph, options).nodes, free.nodes);
+}
+
+TEST(CliqueLimits, InitialCliqueIsKeptWhereTimeIsUp) {
+  BitsetGraph graph = test::random_graph(300, 0.3, 13);
+  CliqueOptions options;
+  options.initial_clique = test::plant_clique(graph, 40, 14);
+  options.time_limit = 0;
+  const std::vector<Index> planted = options.initial_clique;
+  std::reverse(options.initial_clique.begin(), options.initial_clique.end());
+  EXPECT_EQ(max_clique(graph, options).vertices, planted);
+  options.time_limit = 60;
+  EXPECT_EQ(max_clique(graph, options).upper_bound, 40);
+}
+
+TEST(CliqueLimits, ASmallInitialCliqueDoesNotHideALargerOne) {
+  BitsetGraph graph = test::disjoint_cliques(std::vector<Index>{2, 5});
+  CliqueOptions options;
+  options.initial_clique = {0, 1};
+  EXPECT_EQ(max_clique(graph, options).vertices.size(), 5u);
+}
+
+TEST(CliqueLimits, AWrongInitialCliqueIsRejected) {
+  const BitsetGraph graph = test::disjoint_cliques(std::vector<Index>{2, 2});
+  CliqueOptions options;
+  for (const auto& wrong : std::vector<std::vector<Index>>{{0, 2}, {0, 0}, {4}, {-1, 0}}) {
+    options.initial_clique = wrong;
+    EXPECT_THROW(max_clique(graph, options), std::invalid_argument);
+  }
+}
+
+TEST(CliqueLimits, OptionsOutOfRangeAreRejectedByName) {
+  const auto message_of = [](const CliqueOptions& options) -> std::string {
+    try {
+      max_clique(BitsetGraph(2), options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CliqueOptions options;
+  options.time_limit = -1;
+  EXPECT_NE(message_of(options).find("time_limit"), std::string::npos);
+  options.time_limit = std::nan("");
+  EXPECT_NE(message_of(options).find("time_limit"), std::string::npos);
+  options = {};
+  options.must_exceed = -3;
+  EXPECT_NE(message_of(options).find("must_exceed: -3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gmcr
