@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
+#include "clique/arbitrary.hpp"
 #include "clique/branch_selector.hpp"
 #include "clique/coloring.hpp"
 #include "clique/degeneracy.hpp"
@@ -9,12 +9,6 @@
 
 namespace gmcr {
 namespace {
-
-BitsetGraph arbitrary_graph(Index max_vertices) {
-  const Index n = *rc::gen::inRange<Index>(0, max_vertices + 1);
-  const double density = *rc::gen::inRange(0, 101) / 100.0;
-  return test::random_graph(n, density, *rc::gen::arbitrary<std::uint64_t>());
-}
 
 std::vector<Word> all_vertices(const BitsetGraph& graph) {
   std::vector<Word> all(static_cast<std::size_t>(graph.words_per_row()), 0);
@@ -32,7 +26,7 @@ Index degree_among(const BitsetGraph& graph, Index v, const std::vector<char>& t
 }
 
 RC_GTEST_PROP(Degeneracy, TakesAVertexOfSmallestDegreeEachTime, ()) {
-  const BitsetGraph graph = arbitrary_graph(140);
+  const BitsetGraph graph = test::arbitrary_graph(0, 140, 100);
   const Degeneracy result = degeneracy_order(graph);
   const std::size_t n = static_cast<std::size_t>(graph.num_vertices());
   RC_ASSERT(result.order.size() == n);
@@ -62,10 +56,10 @@ TEST(Degeneracy, OfACliqueWithATailIsThatOfTheClique) {
 }
 
 RC_GTEST_PROP(Coloring, IsProperAndBoundsTheCliqueNumber, ()) {
-  const BitsetGraph graph = arbitrary_graph(18);
+  const BitsetGraph graph = test::arbitrary_graph(0, 16, 100);
   const Index n = graph.num_vertices();
   std::vector<Index> seeds;
-  if (n > 0) seeds = {*rc::gen::inRange<Index>(0, n)};
+  if (n > 0) seeds = {test::uniform_in(0, n)};
   const Coloring coloring = color_greedily(graph, all_vertices(graph), seeds);
   RC_ASSERT(static_cast<Index>(coloring.order.size()) == n);
   std::vector<Index> color(coloring.order.size(), -1);
@@ -98,8 +92,8 @@ TEST(Coloring, OfASubsetIgnoresTheOtherVertices) {
 }
 
 RC_GTEST_PROP(BranchSelector, LeavesNoLargeCliqueOutsideItsBranches, ()) {
-  const BitsetGraph graph = arbitrary_graph(18);
-  const Index max_pruned = *rc::gen::inRange<Index>(0, 12);
+  const BitsetGraph graph = test::arbitrary_graph(0, 16, 100);
+  const Index max_pruned = test::uniform_in(0, 12);
   BranchSelector selector;
   selector.reset(graph);
   std::vector<Branch> branches;

@@ -1,10 +1,10 @@
 #include "clique/greedy.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <stdexcept>
 
+#include "clique/arbitrary.hpp"
 #include "clique/graphs.hpp"
 
 namespace gmcr {
@@ -20,13 +20,12 @@ bool is_maximal(const BitsetGraph& graph, const std::vector<Index>& clique) {
 }
 
 RC_GTEST_PROP(GreedyClique, IsAMaximalCliqueWithItsStart, ()) {
-  const Index n = *rc::gen::inRange<Index>(1, 150);
-  const double density = *rc::gen::inRange(0, 101) / 100.0;
-  const BitsetGraph graph = test::random_graph(n, density, *rc::gen::arbitrary<std::uint64_t>());
-  const Index start = *rc::gen::inRange<Index>(0, n);
+  const BitsetGraph graph = test::arbitrary_graph(1, 149, 100);
+  const Index n = graph.num_vertices();
+  const Index start = test::uniform_in(0, n);
   const auto priority = *rc::gen::container<std::vector<Index>>(static_cast<std::size_t>(n),
                                                                 rc::gen::inRange<Index>(0, 10));
-  const Index max_candidates = *rc::gen::inRange<Index>(0, 150);
+  const Index max_candidates = test::uniform_in(0, 150);
   for (const auto& clique : {greedy_clique(graph, start, priority), greedy_clique(graph, start, {}),
                              greedy_clique_by_candidates(graph, start, priority, max_candidates)}) {
     RC_ASSERT(test::is_ascending_clique(graph, clique));

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
+#include "clique/arbitrary.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
 #include "gmcr/clique.hpp"
@@ -128,21 +128,18 @@ TEST(MaxClique, SolvesAGraphWhoseComplementIsSparse) {
 }
 
 RC_GTEST_PROP(MaxClique, DoesNotDependOnTheNumbersOfTheVertices, ()) {
-  const Index n = *rc::gen::inRange<Index>(1, 90);
-  const double density = *rc::gen::inRange(0, 80) / 100.0;
+  const BitsetGraph graph = test::arbitrary_graph(1, 90, 80);
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  const BitsetGraph graph = test::random_graph(n, density, seed);
-  const BitsetGraph shuffled = test::renumbered(graph, test::random_permutation(n, seed + 1));
+  const BitsetGraph shuffled =
+      test::renumbered(graph, test::random_permutation(graph.num_vertices(), seed));
   RC_ASSERT(proven_size(graph) == proven_size(shuffled));
 }
 
 RC_GTEST_PROP(MaxClique, NeverShrinksWhenAnEdgeIsAdded, ()) {
-  const Index n = *rc::gen::inRange<Index>(2, 60);
-  const double density = *rc::gen::inRange(0, 90) / 100.0;
-  BitsetGraph graph = test::random_graph(n, density, *rc::gen::arbitrary<std::uint64_t>());
+  BitsetGraph graph = test::arbitrary_graph(2, 60, 90);
   const Index before = proven_size(graph);
-  const Index u = *rc::gen::inRange<Index>(1, n);
-  graph.add_edge(u, *rc::gen::inRange<Index>(0, u));
+  const Index u = test::uniform_in(1, graph.num_vertices());
+  graph.add_edge(u, test::uniform_in(0, u));
   const Index after = proven_size(graph);
   RC_ASSERT(after >= before);
   RC_ASSERT(after <= before + 1);
