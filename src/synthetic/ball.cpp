@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "synthetic/draft.hpp"
 #include "synthetic/kinds.hpp"
@@ -16,13 +17,15 @@ SyntheticProblem make_ball(const SyntheticOptions& options, const Points& source
   for (Index i = 0; i < source.cols(); ++i) {
     const Eigen::Vector3d point = source.col(i);
     if (i < num_inliers) {
-      draft.add_inlier(point, target_from_source * point + draw_noise(options, random));
-    } else {
-      draft.add_outlier([&] {
-        return std::pair(point,
-                         Eigen::Vector3d(target_from_source.translation + random.in_ball(radius)));
-      });
+      draft.add(point, target_from_source * point + draw_noise(options, random), true);
+      continue;
     }
+    const auto target = draw_outlier(options, [&]() -> std::optional<Eigen::Vector3d> {
+      const Eigen::Vector3d drawn = target_from_source.translation + random.in_ball(radius);
+      if (draft.fits(point, drawn)) return std::nullopt;
+      return drawn;
+    });
+    draft.add(point, target, false);
   }
   return draft.shuffled(random);
 }

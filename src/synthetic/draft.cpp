@@ -1,8 +1,6 @@
 #include "synthetic/draft.hpp"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace gmcr::synthetic {
 
@@ -40,21 +38,6 @@ Draft::Draft(const SyntheticOptions& options, const Similarity& target_from_sour
 
 bool Draft::fits(const Eigen::Vector3d& source, const Eigen::Vector3d& target) const {
   return (target - problem_.target_from_source * source).norm() <= problem_.noise_bound;
-}
-
-void Draft::add_inlier(const Eigen::Vector3d& source, const Eigen::Vector3d& target) {
-  add(source, target, true);
-}
-
-void Draft::add_outlier(const std::function<std::pair<Eigen::Vector3d, Eigen::Vector3d>()>& draw) {
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    const auto [source, target] = draw();
-    if (fits(source, target)) continue;
-    add(source, target, false);
-    return;
-  }
-  throw std::invalid_argument("noise_bound: " + std::to_string(problem_.noise_bound) +
-                              " leaves no room for outliers");
 }
 
 void Draft::add(const Eigen::Vector3d& source, const Eigen::Vector3d& target, bool is_inlier) {

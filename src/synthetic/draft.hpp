@@ -1,6 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <stdexcept>
+#include <string>
 
 #include "gmcr/synthetic.hpp"
 #include "synthetic/random.hpp"
@@ -16,7 +17,18 @@ Similarity draw_transform(const SyntheticOptions& options, Random& random);
 /// Error of one target point, drawn as the options say.
 Eigen::Vector3d draw_noise(const SyntheticOptions& options, Random& random);
 
-/// A problem that grows by one correspondence at a time; inliers and outliers are kept honest.
+/// The first value that `draw` gives, a function () -> std::optional<Value>.
+/// @throws std::invalid_argument after 1,000 vain draws.
+template <typename Draw>
+auto draw_outlier(const SyntheticOptions& options, Draw draw) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    if (auto value = draw()) return *value;
+  }
+  throw std::invalid_argument("noise_bound: " + std::to_string(options.noise_bound) +
+                              " leaves no room for outliers");
+}
+
+/// A problem that grows by one correspondence at a time.
 class Draft {
  public:
   Draft(const SyntheticOptions& options, const Similarity& target_from_source);
@@ -24,18 +36,13 @@ class Draft {
   /// Whether `target` is the image of `source` up to the noise bound.
   bool fits(const Eigen::Vector3d& source, const Eigen::Vector3d& target) const;
 
-  void add_inlier(const Eigen::Vector3d& source, const Eigen::Vector3d& target);
-
-  /// Calls `draw` until it gives a pair that does not fit, and adds that.
-  /// @throws std::invalid_argument after 1,000 vain draws.
-  void add_outlier(const std::function<std::pair<Eigen::Vector3d, Eigen::Vector3d>()>& draw);
+  /// @param is_inlier  what `fits` says, up to rounding.
+  void add(const Eigen::Vector3d& source, const Eigen::Vector3d& target, bool is_inlier);
 
   /// The problem, its correspondences in random order.
   SyntheticProblem shuffled(Random& random) const;
 
  private:
-  void add(const Eigen::Vector3d& source, const Eigen::Vector3d& target, bool is_inlier);
-
   SyntheticProblem problem_;
   Index size_ = 0;
 };

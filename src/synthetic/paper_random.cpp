@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "synthetic/clouds.hpp"
 #include "synthetic/draft.hpp"
 #include "synthetic/kinds.hpp"
@@ -15,13 +17,15 @@ SyntheticProblem make_paper_random(const SyntheticOptions& options, const Points
   for (Index i = 0; i < options.num_correspondences; ++i) {
     const Index s = sources[static_cast<std::size_t>(i)];
     if (i < num_inliers) {
-      draft.add_inlier(cloud.col(s), target_cloud.col(s));
-    } else {
-      draft.add_outlier([&] {
-        const Index t = random.index(target_cloud.cols());
-        return std::pair(Eigen::Vector3d(cloud.col(s)), Eigen::Vector3d(target_cloud.col(t)));
-      });
+      draft.add(cloud.col(s), target_cloud.col(s), true);
+      continue;
     }
+    const Index t = draw_outlier(options, [&]() -> std::optional<Index> {
+      const Index drawn = random.index(target_cloud.cols());
+      if (draft.fits(cloud.col(s), target_cloud.col(drawn))) return std::nullopt;
+      return drawn;
+    });
+    draft.add(cloud.col(s), target_cloud.col(t), false);
   }
   return draft.shuffled(random);
 }

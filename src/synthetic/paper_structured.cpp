@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "synthetic/clouds.hpp"
 #include "synthetic/draft.hpp"
@@ -8,7 +9,7 @@
 namespace gmcr::synthetic {
 namespace {
 
-/// Indices around a base that its cluster has not used yet, the base's own first.
+/// Points of the two clouds from which the members of a cluster of outliers are drawn.
 struct Cluster {
   std::vector<Index> sources;
   std::vector<Index> targets;
@@ -50,8 +51,31 @@ Index associate(const SyntheticOptions& options, const Draft& draft, const Point
   return near.empty() ? s : near[static_cast<std::size_t>(random.index(std::ssize(near)))];
 }
 
+/// Cluster around the source `base_source` and a random target, none of whose pairs fits the truth.
+/// The bases come first in both lists.
+Cluster draw_cluster(const SyntheticOptions& options, const Draft& draft, const Points& cloud,
+                     const Points& target_cloud, Index base_source, Random& random) {
+  Cluster cluster;
+  cluster.sources = nearest_points(cloud, cloud.cols(), base_source, options.source_neighbors);
+  cluster.sources.insert(cluster.sources.begin(), base_source);
+  cluster.targets = draw_outlier(options, [&]() -> std::optional<std::vector<Index>> {
+    const Index base_target = random.index(cloud.cols());
+    std::vector<Index> targets =
+        nearest_points(target_cloud, cloud.cols(), base_target, options.target_neighbors);
+    targets.insert(targets.begin(), base_target);
+    for (const Index s : cluster.sources) {
+      for (const Index t : targets) {
+        if (draft.fits(cloud.col(s), target_cloud.col(t))) return std::nullopt;
+      }
+    }
+    return targets;
+  });
+  return cluster;
+}
+
+/// Takes a random one but the first, which is the base.
 Index take_random(std::vector<Index>& pool, Random& random) {
-  std::swap(pool[static_cast<std::size_t>(random.index(std::ssize(pool)))], pool.back());
+  std::swap(pool[static_cast<std::size_t>(1 + random.index(std::ssize(pool) - 1))], pool.back());
   const Index taken = pool.back();
   pool.pop_back();
   return taken;
@@ -71,30 +95,18 @@ SyntheticProblem make_paper_structured(const SyntheticOptions& options, const Po
   for (Index i = 0; i < num_inliers; ++i) {
     const Index s = anchors[static_cast<std::size_t>(i)];
     const Index t = associate(options, draft, cloud, target_cloud, s, random);
-    draft.add_inlier(cloud.col(s), target_cloud.col(t));
+    draft.add(cloud.col(s), target_cloud.col(t), true);
   }
 
   const std::vector<Index> sizes = deal_outliers(options, num_bases, random);
   for (Index b = 0; b < num_bases; ++b) {
-    const Index base_source = anchors[static_cast<std::size_t>(num_inliers + b)];
-    Index base_target = 0;
-    draft.add_outlier([&] {
-      base_target = random.index(cloud.cols());
-      return std::pair(Eigen::Vector3d(cloud.col(base_source)),
-                       Eigen::Vector3d(target_cloud.col(base_target)));
-    });
-    std::vector<Index> sources =
-        nearest_points(cloud, cloud.cols(), base_source, options.source_neighbors);
-    std::vector<Index> targets =
-        nearest_points(target_cloud, cloud.cols(), base_target, options.target_neighbors);
+    Cluster cluster = draw_cluster(options, draft, cloud, target_cloud,
+                                   anchors[static_cast<std::size_t>(num_inliers + b)], random);
+    draft.add(cloud.col(cluster.sources[0]), target_cloud.col(cluster.targets[0]), false);
     for (Index member = 1; member < sizes[static_cast<std::size_t>(b)]; ++member) {
-      const Index s = take_random(sources, random);
-      Index t = 0;
-      draft.add_outlier([&] {
-        t = targets[static_cast<std::size_t>(random.index(std::ssize(targets)))];
-        return std::pair(Eigen::Vector3d(cloud.col(s)), Eigen::Vector3d(target_cloud.col(t)));
-      });
-      std::erase(targets, t);
+      const Index s = take_random(cluster.sources, random);
+      const Index t = take_random(cluster.targets, random);
+      draft.add(cloud.col(s), target_cloud.col(t), false);
     }
   }
   return draft.shuffled(random);
