@@ -12,8 +12,9 @@ namespace gmcr {
 /// How a clique search may end early and what it may start from.
 struct CliqueOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
-  std::uint64_t max_nodes = std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
-  std::vector<Index> initial_clique;  ///< known clique to start from; may be empty
+  std::uint64_t max_nodes =
+      std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
+  std::vector<Index> initial_clique;              ///< known clique to start from; may be empty
   /// Report only a clique with more vertices than this; 0 reports any. A search that proves that
   /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
   Index must_exceed = 0;
@@ -26,17 +27,20 @@ struct CliqueOptions {
 struct CliqueResult {
   std::vector<Index> vertices;  ///< ascending; a clique of the graph
   Index upper_bound = 0;        ///< proven: no clique is larger; valid also after an early end
-  bool proven_optimal = false;  ///< upper_bound == max(vertices.size(), must_exceed)
+  bool proven_optimal = false;  ///< upper_bound <= max(vertices.size(), must_exceed)
   std::uint64_t nodes = 0;      ///< search nodes visited
 };
 
 /// Maximum clique of `graph`, exact unless a limit of `options` binds.
 ///
-/// Degeneracy order, greedy incumbent, then branch and bound with greedy colouring bounds over
-/// bit rows (Tomita and Seki 2003; San Segundo et al. 2011) on the right-neighbourhood of each vertex.
+/// Bounds from cheap to costly, each of which may settle it: degrees with a greedy clique, a
+/// colouring seeded with that clique, core numbers with more greedy cliques. Then branch and bound
+/// over bit rows on the vertices that a colouring leaves over (Tomita and Seki 2003; Tomita et al.
+/// 2010; San Segundo et al. 2011 and 2015), one neighbourhood after the other.
 /// Deterministic: the same graph and options without a time limit give the same vertices.
 /// @throws std::invalid_argument where an option is out of range or `initial_clique` is no clique.
-/// Cost O(E) before the search; exponential in the worst case, so set a limit for unknown graphs.
+/// Cost O(E + n^2 / 64) before the search, plus 16 greedy cliques; exponential in the worst case,
+/// so set a limit for unknown graphs.
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options = {});
 
 /// A maximum clique solver that the registration can be told to use instead of `max_clique`.
