@@ -1,0 +1,118 @@
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "commands.hpp"
+#include "gmcr/io.hpp"
+#include "gmcr/metrics.hpp"
+#include "gmcr/version.hpp"
+#include "json.hpp"
+#include "report.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+constexpr const char* kExamples =
+    R"(RESULT is a 4 x 4 text file (-o) or the JSON of solve or register (--json).
+
+Examples:
+  gmcr eval T.txt T_truth.txt
+  gmcr eval result.json T_truth.txt --points source.ply --json)";
+
+struct Arguments {
+  std::string result;
+  std::string truth;
+  std::string points;
+  bool json = false;
+};
+
+struct Estimate {
+  std::string status = "ok";
+  Similarity pose;
+};
+
+Estimate parse_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw IoError(path, 0, std::strerror(errno));
+  const Json json = Json::parse(file, nullptr, false);
+  if (json.is_discarded()) throw IoError(path, 0, "no JSON");
+  try {
+    Eigen::Matrix4d matrix;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        matrix(static_cast<Index>(i), static_cast<Index>(j)) =
+            json.at("target_from_source").at(i).at(j).get<double>();
+      }
+    }
+    return {json.value("status", "ok"), Similarity::from_matrix(matrix)};
+  } catch (const nlohmann::json::exception&) {
+    throw IoError(path, 0, "no field target_from_source with 4 rows of 4 numbers");
+  } catch (const std::invalid_argument& error) {
+    throw IoError(path, 0, error.what());
+  }
+}
+
+Estimate read_estimate(const std::filesystem::path& path) {
+  if (path.extension() == ".json") return parse_json(path);
+  return {"ok", read_transform(path)};
+}
+
+Json errors_of(const Similarity& estimate, const Similarity& truth,
+               const std::optional<Cloud>& cloud) {
+  Json json;
+  json["rotation_error_deg"] = rotation_error_deg(estimate.rotation, truth.rotation);
+  json["translation_error"] = translation_error(estimate.translation, truth.translation);
+  json["scale_error"] = scale_error(estimate.scale, truth.scale);
+  if (cloud) json["mean_point_error"] = mean_point_error(estimate, truth, cloud->points);
+  return json;
+}
+
+void print_report(const std::string& status, const Json& errors) {
+  Report report;
+  if (status != "ok") report.line("status", status, Report::Tone::Bad);
+  const auto number = [&](const char* name) { return errors[name].get<double>(); };
+  report.line("rotation", fmt::format("{:.6g} deg", number("rotation_error_deg")));
+  report.line("translation", fmt::format("{:.6g}", number("translation_error")));
+  report.line("scale", fmt::format("{:.4g} %", 100 * number("scale_error")));
+  if (errors.contains("mean_point_error")) {
+    report.line("mean point", fmt::format("{:.6g}", number("mean_point_error")));
+  }
+  report.print();
+}
+
+ExitCode run(const Arguments& arguments) {
+  const Estimate estimate = read_estimate(arguments.result);
+  const Similarity truth = read_transform(arguments.truth);
+  std::optional<Cloud> cloud;
+  if (!arguments.points.empty()) cloud = read_cloud(arguments.points);
+  const Json errors = errors_of(estimate.pose, truth, cloud);
+  if (arguments.json) {
+    Json json;
+    json["status"] = estimate.status;
+    json.update(errors);
+    json["version"] = kVersion;
+    print(json);
+  } else {
+    print_report(estimate.status, errors);
+  }
+  return estimate.status == "ok" ? kPoseFound : kNoPose;
+}
+
+}  // namespace
+
+void add_eval_command(CLI::App& app, Work& work) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("eval", "Errors of a result against the truth");
+  command.add_option("RESULT", arguments->result, "Estimate, T.txt or result.json")->required();
+  command.add_option("TRUTH", arguments->truth, "True 4 x 4 transform")->required();
+  command.add_option("--points", arguments->points, "Source cloud, for the mean point error")
+      ->type_name("CLOUD");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.footer(kExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace gmcr::cli

@@ -1,0 +1,101 @@
+#include <fmt/core.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+
+#include "commands.hpp"
+#include "gmcr/io.hpp"
+#include "gmcr/version.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  gmcr register scan2.ply scan1.ply -o T.txt --aligned scan2_aligned.ply
+  gmcr solve matches.csv --noise-bound 0.05
+  gmcr solve --help
+
+Exit codes: 0 pose found, 1 no pose, 2 bad usage or input, 3 file cannot be read or written.)";
+
+/// Reports the error on one line of stderr.
+ExitCode fail(ExitCode code, std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "gmcr: {}\n", message);
+  return code;
+}
+
+/// "noise_bound: -1 ..." of the library names its field; here the user knows the option.
+std::string with_option_name(const std::string& message) {
+  const std::size_t end = message.find(':');
+  std::string field = message.substr(0, end);
+  const bool is_field =
+      end != std::string::npos &&
+      field.find_first_not_of("abcdefghijklmnopqrstuvwxyz_.") == std::string::npos;
+  if (!is_field) return message;
+  for (const auto& [name, option] : {std::pair{"budget.time", "time-limit"},
+                                     {"budget.memory", "memory-limit"},
+                                     {"num_threads", "threads"},
+                                     {"voxel_size", "voxel"},
+                                     {"source_voxel_size", "source-voxel"},
+                                     {"max_attempts", "attempts"},
+                                     {"num_correspondences", "num"},
+                                     {"outlier_rate", "outliers"},
+                                     {"noise_extent", "noise"}}) {
+    if (field == name) field = option;
+  }
+  if (field == "source" || field == "target" || field == "points") return message;
+  std::replace(field.begin(), field.end(), '_', '-');
+  return "--" + field + message.substr(end);
+}
+
+void log_to_stderr() {
+  const auto logger = spdlog::stderr_color_mt("gmcr");
+  logger->set_pattern("gmcr: %^%l%$: %v");
+  spdlog::set_default_logger(logger);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Robust registration of 3-D point sets: which transform aligns them, which\n"
+      "correspondences agree with it, and how far that is from the best possible.",
+      "gmcr");
+  app.set_version_flag("--version", kVersion);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  app.get_formatter()->column_width(34);
+  Work work;
+  add_register_command(app, work);
+  add_solve_command(app, work);
+  add_match_command(app, work);
+  add_clique_command(app, work);
+  add_synth_command(app, work);
+  add_eval_command(app, work);
+  add_info_command(app, work);
+  try {
+    app.parse(argc, argv);
+    return work();
+  } catch (const CLI::Success& request) {
+    return app.exit(request);  // --help or --version
+  } catch (const CLI::ParseError& error) {
+    return fail(kBadInput, std::string(error.what()) + " (see gmcr --help)");
+  } catch (const IoError& error) {
+    return fail(kBadFile, error.what());
+  } catch (const std::invalid_argument& error) {
+    return fail(kBadInput, with_option_name(error.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(kBadInput, "not enough memory; try a smaller --memory-limit or fewer points");
+  } catch (const std::exception& error) {
+    return fail(kBadInput, std::string("unexpected error: ") + error.what());
+  }
+}
+
+}  // namespace
+}  // namespace gmcr::cli
+
+int main(int argc, char** argv) {
+  gmcr::cli::log_to_stderr();
+  return gmcr::cli::run(argc, argv);
+}

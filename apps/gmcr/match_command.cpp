@@ -1,0 +1,88 @@
+#include <fmt/core.h>
+
+#include "arguments.hpp"
+#include "cloud_report.hpp"
+#include "commands.hpp"
+#include "gmcr/io.hpp"
+#include "gmcr/version.hpp"
+#include "stopwatch.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+constexpr const char* kExamples =
+    R"(Voxel grid, normals, FPFH and mutual nearest neighbours, without the solver.
+
+Examples:
+  gmcr match scan2.ply scan1.ply --voxel 0.05 -o matches.csv
+  gmcr match a.bin b.bin --voxel 0.5 --max-ratio 0.9 -o matches.npy --json)";
+
+struct Arguments {
+  CloudArguments clouds;
+  Options options;
+  std::string matches;
+  bool json = false;
+};
+
+ExitCode run(const Arguments& arguments) {
+  const Points source = read_points(arguments.clouds.source);
+  const Points target = read_points(arguments.clouds.target);
+  const Stopwatch stopwatch;
+  const CloudMatches matches =
+      match_clouds(source, target, arguments.clouds.resolved(), arguments.options);
+  const double seconds = stopwatch.seconds();
+  write_matches(arguments.matches, matches.source, matches.target);
+  if (arguments.json) {
+    Json json;
+    json["status"] = "ok";
+    json["num_correspondences"] = matches.source.cols();
+    json["num_source_points"] = source.cols();
+    json["num_target_points"] = target.cols();
+    json["num_source_voxels"] = matches.source_voxels.cols();
+    json["num_target_voxels"] = matches.target_voxels.cols();
+    json["voxel_size"] = matches.target_voxel_size;
+    json["source_voxel_size"] = matches.source_voxel_size;
+    json["noise_bound"] = matches.noise_bound;
+    json["time_ms"]["total"] = 1000 * seconds;
+    for (const StageTime& stage : matches.stages)
+      json["time_ms"][stage.name] = 1000 * stage.seconds;
+    json["version"] = kVersion;
+    print(json);
+    return kPoseFound;
+  }
+  Report report;
+  report.line("matches", fmt::format("{} between {} and {} voxels of {:.4g}", matches.source.cols(),
+                                     matches.source_voxels.cols(), matches.target_voxels.cols(),
+                                     matches.target_voxel_size));
+  report.line("time", duration(seconds));
+  report.line("written", arguments.matches);
+  report.line("solve it", fmt::format("gmcr solve {} --noise-bound {:.4g}", arguments.matches,
+                                      matches.noise_bound));
+  report.print();
+  return kPoseFound;
+}
+
+}  // namespace
+
+void add_match_command(CLI::App& app, Work& work) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("match", "Putative matches between two clouds");
+  arguments->clouds.add_to(command);
+  command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
+      ->required()
+      ->type_name("MATCHES");
+  auto* estimate = command.add_flag(
+      "--estimate-scale",
+      [arguments](std::int64_t) { arguments->options.scale_mode = ScaleMode::Estimated; },
+      "The clouds may differ in scale");
+  command.add_option("--scale", arguments->options.scale, "Known scale, target / source")
+      ->capture_default_str()
+      ->excludes(estimate);
+  command.add_option("--threads", arguments->options.num_threads, "Threads; 0 uses every core")
+      ->capture_default_str();
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.footer(kExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace gmcr::cli

@@ -1,0 +1,122 @@
+#include <fmt/core.h>
+
+#include "arguments.hpp"
+#include "cloud_report.hpp"
+#include "commands.hpp"
+#include "gmcr/io.hpp"
+#include "progress.hpp"
+#include "refine.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+constexpr const char* kExamples =
+    R"(Clouds: .ply .pcd .xyz .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin. Points that are not finite
+are dropped. Voxel size and noise bound come from the clouds unless given.
+
+Examples:
+  gmcr register scan2.ply scan1.ply
+  gmcr register 000010.bin 000000.bin --voxel 0.3 -o T.txt --aligned aligned.ply
+  gmcr register model.ply scene.pcd --estimate-scale --scale-range 0.1 10
+  gmcr register a.ply b.ply --refine none --json > result.json)";
+
+enum class Refine { Icp, None };
+
+struct Arguments {
+  CloudArguments clouds;
+  SolverArguments solver;
+  Refine refine = Refine::Icp;
+  std::string transform;
+  std::string aligned;
+  std::string matches;
+  std::string json_file;
+  bool json = false;
+};
+
+/// Writes the files that need a pose, and returns the paths of all that were written.
+std::vector<std::string> write_files(const Arguments& arguments, const CloudResult& result,
+                                     const Points& source, const Json& json) {
+  std::vector<std::string> written;
+  const auto note = [&](const std::string& path) { written.push_back(path); };
+  if (result.registration.status == Status::Ok) {
+    const Similarity& pose = result.registration.target_from_source;
+    if (!arguments.transform.empty()) {
+      write_transform(arguments.transform, pose);
+      note(arguments.transform);
+    }
+    if (!arguments.aligned.empty()) {
+      write_cloud(arguments.aligned, pose.apply(source));
+      note(arguments.aligned);
+    }
+  }
+  if (!arguments.matches.empty()) {
+    write_matches(arguments.matches, result.matches.source, result.matches.target);
+    note(arguments.matches);
+  }
+  if (!arguments.json_file.empty()) {
+    write(arguments.json_file, json);
+    note(arguments.json_file);
+  }
+  return written;
+}
+
+ExitCode run(const Arguments& arguments) {
+  const Points source = read_points(arguments.clouds.source);
+  const Points target = read_points(arguments.clouds.target);
+  Options options = arguments.solver.resolved();
+  CloudResult result;
+  Refinement refinement;
+  double seconds = 0;
+  {
+    ProgressLine progress;
+    options.progress = progress.callback();
+    const Stopwatch stopwatch;
+    result = register_clouds(source, target, arguments.clouds.resolved(), options);
+    if (arguments.refine == Refine::Icp) refinement = refine_with_icp(result, options);
+    seconds = stopwatch.seconds();
+  }
+  const Json json = to_json(result, refinement, seconds);
+  const std::vector<std::string> written = write_files(arguments, result, source, json);
+  if (arguments.json) {
+    print(json);
+  } else {
+    Report report;
+    add_cloud_result(report, result, refinement, seconds);
+    for (const std::string& path : written) report.line("written", path);
+    report.print();
+  }
+  return result.registration.status == Status::Ok ? kPoseFound : kNoPose;
+}
+
+}  // namespace
+
+void add_register_command(CLI::App& app, Work& work) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("register", "Pose that aligns two clouds");
+  arguments->clouds.add_to(command);
+  command
+      .add_option("--attempts", arguments->clouds.frontend.max_attempts,
+                  "Settings to try before settling for a doubtful result")
+      ->capture_default_str();
+  command
+      .add_option("--noise-bound", arguments->solver.options.noise_bound,
+                  fmt::format("Largest error of a right match, metres; 0: {} voxels",
+                              FrontendOptions{}.noise_bound_voxels))
+      ->capture_default_str();
+  arguments->solver.add_to(command);
+  add_choice<Refine>(command, "--refine", arguments->refine,
+                     {{"icp", Refine::Icp}, {"none", Refine::None}}, "Refinement of the pose");
+  command.add_option("-o,--output", arguments->transform, "Write the 4 x 4 transform")
+      ->type_name("T.txt");
+  command.add_option("--aligned", arguments->aligned, "Write the source after the transform")
+      ->type_name("CLOUD");
+  command.add_option("--matches", arguments->matches, "Write the matches that inliers index")
+      ->type_name("MATCHES");
+  command.add_option("--json-file", arguments->json_file, "Write the JSON object to a file too")
+      ->type_name("FILE");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.footer(kExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace gmcr::cli
