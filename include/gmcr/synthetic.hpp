@@ -30,7 +30,7 @@ enum class NoiseShape {
 struct SyntheticOptions {
   SyntheticKind kind = SyntheticKind::Ball;
   Index num_correspondences = 1000;  ///< >= 0
-  double outlier_rate = 0.5;         ///< in [0, 1]; round(rate * N) correspondences are outliers
+  double outlier_rate = 0.5;         ///< in [0, 1]; round((1 - rate) * N), halves up, are inliers
   std::uint64_t seed = 0;
 
   NoiseShape noise_shape = NoiseShape::Ball;
@@ -47,11 +47,10 @@ struct SyntheticOptions {
       200;  ///< points without a partner on the sphere around the target, >= 0
 
   // Structured
-  /// Clusters of outliers, >= 0; 0: ceil(10 * outlier_rate) + 2, or more where these cannot hold
-  /// all.
+  /// Clusters of outliers, >= 0. 0: ceil(10 * outlier_rate) + 2, more where these cannot hold all.
   Index num_bases = 0;
-  Index source_neighbors = 9;   ///< a cluster's sources: the base and its k nearest points, >= 0
-  Index target_neighbors = 19;  ///< a cluster's targets: likewise, >= source_neighbors
+  Index source_neighbors = 9;  ///< a cluster's sources: the base and its k nearest points, >= 0
+  Index target_neighbors = 9;  ///< a cluster's targets: likewise, >= source_neighbors
   /// An inlier's target is one of the k nearest points of the true one, >= 0; 0: the true one.
   Index association_neighbors = 3;
 

@@ -5,7 +5,11 @@
 namespace gmcr::synthetic {
 
 Index num_outliers(const SyntheticOptions& options) {
-  return std::llround(options.outlier_rate * static_cast<double>(options.num_correspondences));
+  const auto count = static_cast<double>(options.num_correspondences);
+  // 90 correspondences at a rate of 0.95 are 4.5 inliers, whatever the rounding of the product.
+  const double slack = 1e-9 * count;
+  return options.num_correspondences -
+         static_cast<Index>(std::floor(count - options.outlier_rate * count + 0.5 + slack));
 }
 
 Similarity draw_transform(const SyntheticOptions& options, Random& random) {

@@ -8,7 +8,8 @@
 
 namespace gmcr::synthetic {
 
-/// Number of outliers that the options ask for.
+/// Number of outliers that the options ask for: all but the inliers, whose number is rounded,
+/// halves up.
 Index num_outliers(const SyntheticOptions& options);
 
 /// Transform drawn as the options say.
