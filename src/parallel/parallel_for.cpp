@@ -1,6 +1,7 @@
 #include "parallel/parallel_for.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -24,6 +25,9 @@ void parallel_for(Index count, Index grain, int num_threads,
     for (Index chunk = 0; chunk < num_chunks; ++chunk) run_chunk(chunk);
     return;
   }
+  // lets TBB have as many threads as asked for, also more than there are cores
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<Index>(0, num_chunks, 1), [&](const auto& range) {

@@ -12,4 +12,12 @@ namespace gmcr {
 Hypothesis optimise_locally(const Objective& objective, const ScaleRange& scales,
                             const Similarity& start);
 
+/// Tries to bring correspondences just outside the consensus set inside it.
+///
+/// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the
+/// worst residuals up, iteration by iteration, approach the pose of least largest residual (Lawson
+/// 1961); the correspondence that holds it back most is given up, and so on.
+/// @return never worse than `best` by the objective.
+Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best);
+
 }  // namespace gmcr

@@ -48,7 +48,8 @@ std::optional<Pruned> prune_by_scale(SolveContext& context, const Correspondence
                 max_members(static_cast<Index>(consensus->tims.size()))};
 }
 
-/// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al. 2019).
+/// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al.
+/// 2019).
 std::optional<Pruned> prune_by_consistency(SolveContext& context,
                                            const Correspondences& correspondences, double scale) {
   const StageTimer timer(context, "graph");
@@ -105,9 +106,9 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
   if (!rotation) return result;
 
   const StageTimer timer(context, "translation");
-  const TranslationConsensus translation = translation_consensus(
-      context, correspondences, touched_correspondences(tims, rotation->tims), pruned->scale,
-      rotation->rotation, kUnlimited);
+  const TranslationConsensus translation =
+      translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
+                            pruned->scale, rotation->rotation, kUnlimited);
   if (!rotation->proven || !translation.proven) {
     context.limit("the clique search of a rotation or translation graph ended before its proof");
   }

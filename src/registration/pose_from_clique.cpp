@@ -50,10 +50,10 @@ std::optional<Similarity> staged_pose(SolveContext& context, const Correspondenc
   const auto rotation = rotation_consensus(context, tims, pose.scale, kMaxCliqueNodes);
   if (!rotation) return std::nullopt;
   pose.rotation = rotation->rotation;
-  pose.translation = translation_consensus(context, correspondences,
-                                           touched_correspondences(tims, rotation->tims),
-                                           pose.scale, pose.rotation, kMaxCliqueNodes)
-                         .translation;
+  pose.translation =
+      translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
+                            pose.scale, pose.rotation, kMaxCliqueNodes)
+          .translation;
   return pose;
 }
 

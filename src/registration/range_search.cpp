@@ -6,6 +6,7 @@
 
 #include "clique/greedy.hpp"
 #include "consensus/consistency_graph.hpp"
+#include "registration/local_optimisation.hpp"
 #include "registration/pose_from_clique.hpp"
 
 namespace gmcr {
@@ -21,16 +22,19 @@ void PoseSearch::offer(const std::vector<Index>& clique) {
   if (!examined_.insert(clique).second) return;
   std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, scales_, clique);
   if (!pose) return;
-  max_inliers_ = std::max(max_inliers_, pose->num_inliers());
-  if (!best_ || is_better(*pose, *best_)) best_ = std::move(pose);
+  if (!best_ || is_better(*pose, *best_)) {
+    best_ = reach_for_more(objective_, scales_, std::move(*pose));
+    max_inliers_ = std::max(max_inliers_, best_->num_inliers());
+  } else {
+    max_inliers_ = std::max(max_inliers_, pose->num_inliers());
+  }
 }
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
   const StageTimer timer(search.context(), "graph");
   ++search.context().diagnostics().num_scale_ranges;
   RangeGraph range;
-  range.graph =
-      consistency_graph(search.arrays(), scales, search.context().options().num_threads);
+  range.graph = consistency_graph(search.arrays(), scales, search.context().options().num_threads);
   range.degeneracy = degeneracy_order(range.graph);
   return range;
 }

@@ -24,7 +24,8 @@ class PoseSearch {
   const ScaleRange& scales() const { return scales_; }
   const kernels::CorrespondenceArrays& arrays() const { return arrays_; }
 
-  /// Turns a clique into a pose and keeps it where it is the best one. Each clique is examined once.
+  /// Turns a clique into a pose and keeps it where it is the best one. Each clique is examined
+  /// once.
   void offer(const std::vector<Index>& clique);
 
   const std::optional<Hypothesis>& best() const { return best_; }
@@ -59,7 +60,8 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
 
 /// Searches the range's graph for a clique larger than the most inliers so far and offers it.
-/// @return proven upper bound on the number of inliers of poses in the range, or `max_inliers()` where
+/// @return proven upper bound on the number of inliers of poses in the range, or `max_inliers()`
+/// where
 ///   none can have more.
 Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes);
 

@@ -24,8 +24,8 @@ constexpr Index kMinInliers = 3;
 void validate_input(const PointsRef& source, const PointsRef& target, const Options& options) {
   options.validate();
   if (source.cols() != target.cols()) {
-    throw std::invalid_argument("target: " + std::to_string(target.cols()) + " points, but source has " +
-                                std::to_string(source.cols()));
+    throw std::invalid_argument("target: " + std::to_string(target.cols()) +
+                                " points, but source has " + std::to_string(source.cols()));
   }
   const auto num_bounds = static_cast<Index>(options.noise_bounds.size());
   if (num_bounds != 0 && num_bounds != source.cols()) {
@@ -78,8 +78,8 @@ std::vector<Index> used_correspondences(const PointsRef& source, const PointsRef
 
 /// Why the inliers do not determine the transform; empty where they do.
 ///
-/// Points that stay within half the noise bound when turned about a line, or scaled about a point, say
-/// nothing about that turn or scale.
+/// Points that stay within half the noise bound when turned about a line, or scaled about a point,
+/// say nothing about that turn or scale.
 std::string degeneracy_reason(const Points& source, const Similarity& pose,
                               const std::vector<Index>& inliers, double bound) {
   const Spread spread = measure_spread(source, inliers);
@@ -97,7 +97,8 @@ std::string degeneracy_reason(const Points& source, const Similarity& pose,
 /// Fills transform, inliers and verdict from a pose between the centred frames.
 void conclude(Result& result, const Objective& objective, const Similarity& centred_pose,
               Index upper_bound, const Correspondences& input, const std::vector<Index>& used) {
-  // the pose is judged once more in the caller's frames: these residuals are what the caller can check
+  // the pose is judged once more in the caller's frames: these residuals are what the caller can
+  // check
   const Similarity pose = uncentre(centred_pose, objective.correspondences());
   const Hypothesis verdict = Objective(input, Evidence::Count, 0).judge(pose);
   result.certificate = certify(verdict.num_inliers(), upper_bound);
@@ -111,8 +112,9 @@ void conclude(Result& result, const Objective& objective, const Similarity& cent
     result.inliers.push_back(used[static_cast<std::size_t>(i)]);
     result.evidence += objective.weight(i, pose.scale);
   }
-  result.status_reason = degeneracy_reason(objective.correspondences().source, pose, verdict.inliers,
-                                           input.bounds(verdict.inliers).maxCoeff());
+  result.status_reason =
+      degeneracy_reason(objective.correspondences().source, pose, verdict.inliers,
+                        input.bounds(verdict.inliers).maxCoeff());
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
 }
 
@@ -152,9 +154,8 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
   }
   const ScaleRange scales = scales_to_search(options, centred);
-  const MethodResult found = options.method == Method::Gmcr
-                                 ? solve_gmcr(context, objective, scales)
-                                 : solve_paper(context, centred, scales);
+  const MethodResult found = options.method == Method::Gmcr ? solve_gmcr(context, objective, scales)
+                                                            : solve_paper(context, centred, scales);
   if (found.target_from_source) {
     conclude(result, objective, *found.target_from_source, found.upper_bound, input, used);
   } else {

@@ -79,8 +79,8 @@ Index bound_scales(PoseSearch& search, const ScaleBins& bins, const std::vector<
     range.bound = std::min(range.bound, search_maximum_clique(search, graph, kMaxNodes));
     range.searched = true;
     queue.push(range);
-    search.context().report("scale_search", static_cast<double>(++searched) /
-                                                static_cast<double>(max_ranges));
+    search.context().report("scale_search",
+                            static_cast<double>(++searched) / static_cast<double>(max_ranges));
   }
   return search.max_inliers();
 }

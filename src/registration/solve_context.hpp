@@ -9,7 +9,8 @@
 
 namespace gmcr {
 
-/// What all stages of one solve share: the options, the time that is left, and the record of the work.
+/// What all stages of one solve share: the options, the time that is left, and the record of the
+/// work.
 class SolveContext {
  public:
   SolveContext(const Options& options, Diagnostics& diagnostics);

@@ -25,9 +25,8 @@ CliqueResult stage_clique(SolveContext& context, const BitsetGraph& graph,
 std::optional<ScaleConsensus> scale_consensus(const Tims& tims, const ScaleRange& scales) {
   const ScaleMeasurements measurements = measure_scales(tims);
   ScaleConsensus consensus;
-  consensus.tims = deepest_point(measurements.lower.max(scales.min),
-                                 measurements.upper.min(scales.max))
-                       .members;
+  consensus.tims =
+      deepest_point(measurements.lower.max(scales.min), measurements.upper.min(scales.max)).members;
   const double scale =
       estimate_scale(measurements.scale(consensus.tims), measurements.alpha(consensus.tims));
   if (!std::isfinite(scale)) return std::nullopt;
@@ -36,8 +35,7 @@ std::optional<ScaleConsensus> scale_consensus(const Tims& tims, const ScaleRange
 }
 
 std::optional<RotationConsensus> rotation_consensus(SolveContext& context, const Tims& tims,
-                                                    double scale,
-                                                    std::uint64_t max_clique_nodes) {
+                                                    double scale, std::uint64_t max_clique_nodes) {
   const RotationCones cones = rotation_cones(tims, scale);
   const BitsetGraph graph = rotation_graph(cones, context.options().num_threads);
   const CliqueResult clique = stage_clique(context, graph, max_clique_nodes);

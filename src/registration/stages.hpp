@@ -10,8 +10,8 @@
 
 namespace gmcr {
 
-/// The stages of the paper (section "Graph-based Maximum Consensus Estimation"): each finds the maximum
-/// clique of its consensus graph and estimates from it in closed form.
+/// The stages of the paper (section "Graph-based Maximum Consensus Estimation"): each finds the
+/// maximum clique of its consensus graph and estimates from it in closed form.
 
 struct ScaleConsensus {
   double scale = 1;

@@ -1,0 +1,58 @@
+#include "consensus/distinct_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include "random_geometry.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr std::size_t kEnough = 1 << 20;
+
+TEST(DistinctEvidence, CountsThePartnersOfL6) {
+  testing::RandomGeometry random(1);
+  Correspondences c{random.in_cube(80), random.in_cube(80), Eigen::ArrayXd(80)};
+  for (double& bound : c.bounds) bound = random.uniform(0.02, 0.15);
+  c.source.col(7) = c.source.col(3);
+  const DistinctEvidence evidence(c, kEnough);
+  for (const double scale : {0.05, 0.3, 1.0, 4.0}) {
+    const Eigen::ArrayXd weights = evidence.weights(scale);
+    for (Index i = 0; i < 80; ++i) {
+      int partners = 0;
+      for (Index j = 0; j < 80; ++j) {
+        const double bound = c.bounds[i] + c.bounds[j];
+        partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
+                    scale * (c.source.col(j) - c.source.col(i)).norm() <= bound;
+      }
+      EXPECT_EQ(weights[i], 1.0 / (1 + partners));
+      EXPECT_EQ(evidence.weight(i, scale), weights[i]);
+    }
+  }
+}
+
+TEST(DistinctEvidence, OfACopiedCorrespondenceIsSharedByTheCopies) {
+  testing::RandomGeometry random(2);
+  Correspondences c{10 * random.in_cube(5), 10 * random.in_cube(5),
+                    Eigen::ArrayXd::Constant(5, 1e-3)};
+  c.source.col(4) = c.source.col(0);
+  c.target.col(4) = c.target.col(0);
+  const Eigen::ArrayXd weights = DistinctEvidence(c, kEnough).weights(1);
+  EXPECT_EQ(weights[0] + weights[4], 1);
+  EXPECT_EQ(weights.sum(), 4);
+}
+
+TEST(DistinctEvidence, SaysWhenItsMemoryDoesNotSufficeAndThenCounts) {
+  const Correspondences c{Points::Zero(3, 50), Points::Zero(3, 50), Eigen::ArrayXd::Ones(50)};
+  EXPECT_TRUE(DistinctEvidence(c, 50 * 49 * sizeof(double)).complete());
+  const DistinctEvidence evidence(c, 50 * 49 * sizeof(double) - 1);
+  EXPECT_FALSE(evidence.complete());
+  EXPECT_EQ(evidence.weight(0, 1), 1);
+}
+
+TEST(DistinctEvidence, OfNothingIsEmpty) {
+  const Correspondences c{Points(3, 0), Points(3, 0), Eigen::ArrayXd(0)};
+  EXPECT_EQ(DistinctEvidence(c, kEnough).weights(1).size(), 0);
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,93 @@
+#include "consensus/scale_bins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "consensus/consistency_graph.hpp"
+#include "random_geometry.hpp"
+
+namespace gmcr {
+namespace {
+
+TEST(ScaleBins, CoverTheRangeWithoutGaps) {
+  const ScaleBins bins({0.3, 7}, 1.1);
+  EXPECT_EQ(bins[0].min, 0.3);
+  EXPECT_EQ(bins[bins.size() - 1].max, 7);
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    EXPECT_LE(bins[bin].max / bins[bin].min, 1.1 + 1e-9);
+    if (bin == 0) continue;
+    EXPECT_EQ(bins[bin].min, bins[bin - 1].max);
+  }
+}
+
+TEST(ScaleBins, OfOneScaleAreOneBin) {
+  const ScaleBins bins({2, 2}, 1.02);
+  EXPECT_EQ(bins.size(), 1);
+  EXPECT_EQ(bins.covering(1, 3), (std::pair<Index, Index>{0, 0}));
+  EXPECT_GT(bins.covering(2.1, 3).first, bins.covering(2.1, 3).second);
+}
+
+TEST(ScaleBins, CoveringNeverMissesABin) {
+  testing::RandomGeometry random(1);
+  const ScaleBins bins({0.05, 50}, 1.02);
+  for (int trial = 0; trial < 2000; ++trial) {
+    double lower = std::exp(random.uniform(-4, 5)), upper = lower * std::exp(random.uniform(0, 2));
+    if (trial % 10 == 0) lower = bins[random.index(bins.size())].max;  // exactly on an edge
+    if (trial % 7 == 0) lower = -upper;
+    upper = std::max(lower, upper);
+    const auto [first, last] = bins.covering(lower, upper);
+    for (Index bin = 0; bin < bins.size(); ++bin) {
+      const bool meets = lower <= bins[bin].max && upper >= bins[bin].min;
+      const bool named = first <= bin && bin <= last;
+      EXPECT_TRUE(named || !meets);
+      EXPECT_TRUE(meets || !named || bin == first || bin == last);
+    }
+  }
+}
+
+TEST(ScaleVotes, CountTheEdgesOfEachBinsGraph) {
+  testing::RandomGeometry random(2);
+  const Index n = 150;
+  Correspondences c{random.in_cube(n), random.in_cube(n, 1.0), Eigen::ArrayXd::Constant(n, 0.01)};
+  c.source.col(5) = c.source.col(4);
+  const auto arrays = consistency_arrays(c, 50);
+  const ScaleBins bins({0.05, 50}, 1.3);
+  const ScaleVotes votes = count_scale_votes(
+      arrays, bins, [](Index, Index) { return 1.0; }, 1);
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    const Index edges = consistency_graph(arrays, bins[bin], 1).num_edges();
+    const Index pairs = votes.pairs[static_cast<std::size_t>(bin)];
+    EXPECT_GE(pairs, edges);  // a bound: never fewer
+    EXPECT_LE(pairs, edges + 1);
+    EXPECT_NEAR(votes.evidence[static_cast<std::size_t>(bin)], static_cast<double>(pairs), 1e-6);
+  }
+}
+
+TEST(ScaleVotes, WeighAPairByBothWeights) {
+  Correspondences c{Points::Zero(3, 2), Points::Zero(3, 2), Eigen::ArrayXd::Constant(2, 1e-3)};
+  c.source(0, 1) = 1;
+  c.target(0, 1) = 2;
+  const ScaleBins bins({1, 4}, 1.1);
+  const ScaleVotes votes = count_scale_votes(
+      consistency_arrays(c, 4), bins, [](Index i, Index) { return i == 0 ? 0.5 : 0.25; }, 1);
+  double most = 0;
+  for (const double evidence : votes.evidence) most = std::max(most, evidence);
+  EXPECT_DOUBLE_EQ(most, 0.125);
+}
+
+TEST(ScaleVotes, AreTheSameForAnyNumberOfThreads) {
+  testing::RandomGeometry random(3);
+  const Index n = 300;
+  const Correspondences c{random.in_cube(n), random.in_cube(n), Eigen::ArrayXd::Constant(n, 0.05)};
+  const auto arrays = consistency_arrays(c, 50);
+  const ScaleBins bins({0.05, 50}, 1.02);
+  const auto weight = [](Index i, Index) { return 1.0 / static_cast<double>(i + 1); };
+  const ScaleVotes one = count_scale_votes(arrays, bins, weight, 1);
+  const ScaleVotes four = count_scale_votes(arrays, bins, weight, 4);
+  EXPECT_EQ(one.pairs, four.pairs);
+  EXPECT_EQ(one.evidence, four.evidence);
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "estimation/rotation.hpp"
+#include "estimation/scale.hpp"
+#include "estimation/spread.hpp"
+#include "estimation/translation.hpp"
+#include "gmcr/metrics.hpp"
+#include "random_geometry.hpp"
+
+namespace gmcr {
+namespace {
+
+TEST(EstimateScale, WeighsAMeasurementByTheInverseSquareOfItsAlpha) {
+  const Eigen::Array2d scales(1, 2), alphas(1, 0.5);
+  EXPECT_DOUBLE_EQ(estimate_scale(scales, alphas), (1 * 1 + 2 * 4) / 5.0);
+}
+
+TEST(EstimateScale, IgnoresMeasurementsWithoutWeightAndIsNanWithoutAny) {
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(estimate_scale(Eigen::Array2d(3, inf), Eigen::Array2d(1, inf)), 3);
+  EXPECT_TRUE(std::isnan(estimate_scale(Eigen::Array2d(inf, inf), Eigen::Array2d(inf, inf))));
+}
+
+TEST(EstimateRotation, RecoversAKnownRotation) {
+  testing::RandomGeometry random(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::Matrix3d truth = random.rotation();
+    const Points a = random.in_cube(2 + random.index(10));
+    const auto estimate = estimate_rotation(a, truth * a);
+    ASSERT_TRUE(estimate);
+    EXPECT_LT(rotation_error_deg(*estimate, truth), 1e-6);
+  }
+}
+
+TEST(EstimateRotation, IsNeverAReflection) {
+  testing::RandomGeometry random(2);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Points a = random.in_cube(4);
+    const auto estimate = estimate_rotation(a, -a);
+    ASSERT_TRUE(estimate);
+    EXPECT_NEAR(estimate->determinant(), 1, 1e-12);
+    EXPECT_LT((estimate->transpose() * *estimate - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  }
+}
+
+TEST(EstimateRotation, OfCoplanarVectorsIsUnique) {
+  testing::RandomGeometry random(3);
+  const Eigen::Matrix3d truth = random.rotation();
+  Points a = random.in_cube(6);
+  a.row(2).setZero();
+  const auto estimate = estimate_rotation(a, truth * a);
+  ASSERT_TRUE(estimate);
+  EXPECT_LT(rotation_error_deg(*estimate, truth), 1e-6);
+}
+
+TEST(EstimateRotation, OfParallelVectorsIsNotUnique) {
+  Points a(3, 3);
+  a << 1, 2, -3, 0, 0, 0, 0, 0, 0;
+  EXPECT_FALSE(estimate_rotation(a, a));
+  EXPECT_FALSE(estimate_rotation(Points::Zero(3, 4), Points::Zero(3, 4)));
+  EXPECT_FALSE(estimate_rotation(Points(3, 0), Points(3, 0)));
+}
+
+TEST(EstimateRotation, RefusesDifferentNumbersOfVectors) {
+  EXPECT_THROW(estimate_rotation(Points::Zero(3, 2), Points::Zero(3, 3)), std::invalid_argument);
+}
+
+TEST(EstimateTranslation, IsTheMeanWeightedByTheInverseSquareOfTheBounds) {
+  Points measurements(3, 2);
+  measurements << 0, 5, 0, 0, 1, 1;
+  const Eigen::Vector3d t = estimate_translation(measurements, Eigen::Array2d(1, 2));
+  EXPECT_LT((t - Eigen::Vector3d(1, 0, 1)).norm(), 1e-15);
+}
+
+TEST(MeasureSpread, GivesTheReachFromCentroidAndLine) {
+  Points points(3, 4);
+  points << -2, 2, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0;
+  const Spread spread = measure_spread(points, {0, 1, 2, 3});
+  EXPECT_NEAR(spread.from_centroid, 2, 1e-12);
+  EXPECT_NEAR(spread.from_line, 1, 1e-12);
+  EXPECT_NEAR(measure_spread(points, {0, 1}).from_line, 0, 1e-12);
+  EXPECT_EQ(measure_spread(points, {2}).from_centroid, 0);
+  EXPECT_EQ(measure_spread(points, {}).from_centroid, 0);
+}
+
+}  // namespace
+}  // namespace gmcr

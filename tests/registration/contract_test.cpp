@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "gmcr/metrics.hpp"
+#include "problems.hpp"
+
+namespace gmcr {
+namespace {
+
+using testing::random_problem;
+
+std::vector<Index> within_bound(const Result& result, const Points& source, const Points& target,
+                                double bound) {
+  std::vector<Index> inliers;
+  for (Index i = 0; i < source.cols(); ++i) {
+    const Eigen::Vector3d image = result.target_from_source * source.col(i);
+    if ((target.col(i) - image).norm() <= bound) inliers.push_back(i);
+  }
+  return inliers;
+}
+
+TEST(RegisterCorrespondences, RecoversAKnownTransform) {
+  for (const double scale : {0.2, 1.0, 7.0}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const auto problem = random_problem(seed, 30, 270, scale);
+      for (const auto& options : {problem.options(), problem.options_with_unknown_scale()}) {
+        const Result result = register_correspondences(problem.source, problem.target, options);
+        EXPECT_EQ(result.status, Status::Ok);
+        EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.01);
+        EXPECT_GE(result.inliers.size(), 29u);
+      }
+    }
+  }
+}
+
+TEST(RegisterCorrespondences, InliersAreExactlyTheCorrespondencesWithinTheBound) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto problem = random_problem(seed, 20, 80);
+    for (const Method method : {Method::Gmcr, Method::Paper}) {
+      Options options = problem.options();
+      options.method = method;
+      options.threshold = 0.8;
+      const Result result = register_correspondences(problem.source, problem.target, options);
+      EXPECT_EQ(result.inliers, within_bound(result, problem.source, problem.target, 0.01 / 0.8));
+      EXPECT_EQ(result.certificate.lower, static_cast<Index>(result.inliers.size()));
+    }
+  }
+}
+
+TEST(RegisterCorrespondences, BoundsPerCorrespondenceTakeTheirOwnPart) {
+  auto problem = random_problem(4, 20, 20);
+  problem.target.col(0) += Eigen::Vector3d(0.15, 0, 0);
+  Options options;
+  options.noise_bounds.assign(40, 0.01);
+  const Result tight = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(std::count(tight.inliers.begin(), tight.inliers.end(), 0), 0);
+  options.noise_bounds[0] = 0.2;
+  const Result loose = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(std::count(loose.inliers.begin(), loose.inliers.end(), 0), 1);
+}
+
+TEST(RegisterCorrespondences, ScaleRangeKeepsTheScaleInside) {
+  const auto problem = random_problem(5, 40, 10, 3);
+  Options options = problem.options_with_unknown_scale();
+  options.scale_range = ScaleRange{2.9, 3.1};
+  const Result inside = register_correspondences(problem.source, problem.target, options);
+  EXPECT_NEAR(inside.target_from_source.scale, 3, 0.05);
+  EXPECT_GE(inside.inliers.size(), 39u);
+  options.scale_range = ScaleRange{0.5, 0.6};
+  const Result outside = register_correspondences(problem.source, problem.target, options);
+  EXPECT_LT(outside.inliers.size(), 15u);
+  if (outside.status == Status::Ok) {
+    EXPECT_GE(outside.target_from_source.scale, 0.5);
+    EXPECT_LE(outside.target_from_source.scale, 0.6);
+  }
+}
+
+TEST(RegisterCorrespondences, OneToOneKeepsTheFirstOfSharedPoints) {
+  auto problem = random_problem(6, 20, 0);
+  problem.source.col(7) = problem.source.col(2);
+  problem.target.col(9) = problem.target.col(3);
+  Options options = problem.options();
+  EXPECT_EQ(register_correspondences(problem.source, problem.target, options).diagnostics.num_used,
+            20);
+  options.one_to_one = true;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(result.diagnostics.num_used, 18);
+  EXPECT_EQ(result.diagnostics.num_correspondences, 20);
+  const std::set<Index> inliers(result.inliers.begin(), result.inliers.end());
+  EXPECT_FALSE(inliers.contains(7));
+  EXPECT_FALSE(inliers.contains(9));
+  EXPECT_TRUE(inliers.contains(19));
+}
+
+TEST(RegisterCorrespondences, DistinctEvidenceIsNotFooledByACluster) {
+  // 3 wrong matches and a cluster of 12 around a fourth share a wrong pose, against 10 true ones
+  auto problem = random_problem(7, 10, 15);
+  testing::RandomGeometry random(8);
+  Similarity wrong = random.similarity(1, 1, 1);
+  for (Index i = 10; i < 25; ++i) {
+    if (i > 13) problem.source.col(i) = problem.source.col(13) + random.in_ball(1e-3);
+    problem.target.col(i) = wrong * problem.source.col(i);
+  }
+  Options options = problem.options();
+  const Result distinct = register_correspondences(problem.source, problem.target, options);
+  EXPECT_LT(mean_point_error(distinct.target_from_source, problem.truth, problem.source), 0.02);
+  EXPECT_GE(distinct.evidence, 9);
+  options.evidence = Evidence::Count;
+  const Result count = register_correspondences(problem.source, problem.target, options);
+  EXPECT_LT(mean_point_error(count.target_from_source, wrong, problem.source), 0.02);
+  EXPECT_EQ(count.evidence, 15);
+}
+
+TEST(RegisterCorrespondences, GivesTheSameBitsForAnyNumberOfThreads) {
+  const auto problem = random_problem(9, 30, 400);
+  for (const Method method : {Method::Gmcr, Method::Paper}) {
+    for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
+      if (method == Method::Paper && options.scale_mode == ScaleMode::Estimated) continue;
+      options.method = method;
+      options.num_threads = 1;
+      const Result one = register_correspondences(problem.source, problem.target, options);
+      options.num_threads = 5;
+      const Result five = register_correspondences(problem.source, problem.target, options);
+      EXPECT_EQ(one.target_from_source.matrix(), five.target_from_source.matrix());
+      EXPECT_EQ(one.inliers, five.inliers);
+      EXPECT_EQ(one.certificate.upper, five.certificate.upper);
+      EXPECT_EQ(five.diagnostics.num_threads, 5);
+    }
+  }
+}
+
+TEST(RegisterCorrespondences, AsksTheCliqueSolverThatItIsGiven) {
+  /// Ours, and a count of the calls.
+  struct CountingSolver : CliqueSolver {
+    CliqueResult solve(const BitsetGraph& graph, const CliqueOptions& options) const override {
+      ++calls;
+      return max_clique(graph, options);
+    }
+    mutable int calls = 0;
+  };
+  const auto problem = random_problem(10, 20, 60);
+  for (const Method method : {Method::Gmcr, Method::Paper}) {
+    Options options = problem.options();
+    options.method = method;
+    const Result own = register_correspondences(problem.source, problem.target, options);
+    const auto solver = std::make_shared<CountingSolver>();
+    options.clique_solver = solver;
+    const Result plugged = register_correspondences(problem.source, problem.target, options);
+    EXPECT_GT(solver->calls, 0);
+    EXPECT_EQ(own.inliers, plugged.inliers);
+  }
+}
+
+TEST(RegisterCorrespondences, StopsWhenTheTimeIsUpAndSaysSo) {
+  const auto problem = random_problem(11, 20, 480);
+  Options options = problem.options_with_unknown_scale();
+  options.budget.time = 1e-9;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  ASSERT_FALSE(result.diagnostics.limits_hit.empty());
+  EXPECT_NE(result.diagnostics.limits_hit[0].find("time"), std::string::npos);
+  EXPECT_FALSE(result.certificate.certified);
+  EXPECT_GE(result.certificate.upper, 20);
+}
+
+TEST(RegisterCorrespondences, StopsWhenTheProgressCallbackSaysSo) {
+  const auto problem = random_problem(12, 20, 480);
+  Options options = problem.options_with_unknown_scale();
+  int calls = 0;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_GE(progress.fraction, 0);
+    EXPECT_LE(progress.fraction, 1);
+    return ++calls < 3;
+  };
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(calls, 3);
+  ASSERT_FALSE(result.diagnostics.limits_hit.empty());
+  EXPECT_NE(result.diagnostics.limits_hit[0].find("caller"), std::string::npos);
+}
+
+TEST(RegisterCorrespondences, ReportsWhatItDid) {
+  const auto problem = random_problem(13, 20, 80);
+  const Result result = register_correspondences(problem.source, problem.target, problem.options());
+  const Diagnostics& d = result.diagnostics;
+  EXPECT_EQ(d.num_correspondences, 100);
+  EXPECT_GE(d.num_candidates, 1);
+  EXPECT_EQ(d.num_scale_ranges, 1);
+  EXPECT_GT(d.total_seconds, 0);
+  double sum = 0;
+  for (const StageTime& stage : d.stages) sum += stage.seconds;
+  EXPECT_GT(sum, 0);
+  EXPECT_LE(sum, d.total_seconds);
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "gmcr/metrics.hpp"
+#include "problems.hpp"
+
+namespace gmcr {
+namespace {
+
+using testing::random_problem;
+
+/// A problem that every law below starts from; RapidCheck shrinks its numbers.
+testing::Problem any_problem() {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  return random_problem(seed, *rc::gen::inRange<Index>(15, 40), *rc::gen::inRange<Index>(0, 80));
+}
+
+Options count_options(const testing::Problem& problem) {
+  Options options = problem.options();
+  options.evidence = Evidence::Count;
+  return options;
+}
+
+RC_GTEST_PROP(Laws, MovingTheTargetMovesTheTransform, ()) {
+  const auto problem = any_problem();
+  testing::RandomGeometry random(*rc::gen::arbitrary<std::uint64_t>());
+  const Similarity motion = random.similarity(1, 1, 10);
+  const Result before = register_correspondences(problem.source, problem.target, problem.options());
+  const Result after =
+      register_correspondences(problem.source, motion.apply(problem.target), problem.options());
+  RC_ASSERT(after.inliers.size() == before.inliers.size());
+  RC_ASSERT(mean_point_error(after.target_from_source, motion * before.target_from_source,
+                             problem.source) < 2e-3);
+}
+
+RC_GTEST_PROP(Laws, PermutingTheCorrespondencesPermutesTheInliers, ()) {
+  const auto problem = any_problem();
+  std::vector<Index> order(static_cast<std::size_t>(problem.source.cols()));
+  std::iota(order.begin(), order.end(), Index{0});
+  testing::RandomGeometry random(*rc::gen::arbitrary<std::uint64_t>());
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[static_cast<std::size_t>(random.index(static_cast<Index>(i)))]);
+  }
+  const Result before =
+      register_correspondences(problem.source, problem.target, count_options(problem));
+  const Result after = register_correspondences(
+      problem.source(Eigen::all, order), problem.target(Eigen::all, order), count_options(problem));
+  RC_ASSERT(after.inliers.size() == before.inliers.size());
+  RC_ASSERT(after.certificate.lower <= before.certificate.upper);
+  RC_ASSERT(before.certificate.lower <= after.certificate.upper);
+}
+
+RC_GTEST_PROP(Laws, SwappingTheCloudsInvertsTheTransform, ()) {
+  const auto problem = any_problem();
+  const Result forth = register_correspondences(problem.source, problem.target, problem.options());
+  const Result back = register_correspondences(problem.target, problem.source, problem.options());
+  RC_ASSERT(mean_point_error(back.target_from_source, forth.target_from_source.inverse(),
+                             problem.target.leftCols(15)) < 5e-3);
+}
+
+RC_GTEST_PROP(Laws, TheUpperBoundHoldsForTheTruth, ()) {
+  const auto problem = any_problem();
+  Index consensus_of_truth = 0;
+  for (Index i = 0; i < problem.source.cols(); ++i) {
+    const Eigen::Vector3d residual = problem.target.col(i) - problem.truth * problem.source.col(i);
+    consensus_of_truth += residual.norm() <= problem.noise_bound;
+  }
+  for (const Method method : {Method::Gmcr, Method::Paper}) {
+    Options options = problem.options();
+    options.method = method;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    RC_ASSERT(result.certificate.upper >= consensus_of_truth);
+    RC_ASSERT(result.certificate.upper >= result.certificate.lower);
+    RC_ASSERT(result.certificate.certified ==
+              (result.certificate.upper == result.certificate.lower));
+  }
+}
+
+RC_GTEST_PROP(Laws, AnAddedOutlierNeverShrinksTheConsensus, ()) {
+  const auto problem = any_problem();
+  const Result before =
+      register_correspondences(problem.source, problem.target, count_options(problem));
+  const Index count = problem.source.cols();
+  Points source(3, count + 1), target(3, count + 1);
+  source << problem.source, Eigen::Vector3d(9, 9, 9);
+  target << problem.target, Eigen::Vector3d(-50, 80, 7);
+  const Result after = register_correspondences(source, target, count_options(problem));
+  RC_ASSERT(after.certificate.lower >= before.certificate.lower);
+  RC_ASSERT(after.inliers == before.inliers);
+}
+
+RC_GTEST_PROP(Laws, RescalingTheTargetRescalesTheEstimatedScale, ()) {
+  const auto problem = any_problem();
+  const double factor = *rc::gen::element(0.01, 0.5, 20.0, 1000.0);
+  Options options = problem.options_with_unknown_scale();
+  const Result before = register_correspondences(problem.source, problem.target, options);
+  options.noise_bound *= factor;
+  const Result after = register_correspondences(problem.source, factor * problem.target, options);
+  RC_ASSERT(after.inliers.size() == before.inliers.size());
+  RC_ASSERT(scale_error(after.target_from_source.scale, factor * before.target_from_source.scale) <
+            1e-6);
+}
+
+}  // namespace
+}  // namespace gmcr

@@ -1,0 +1,72 @@
+#include "registration/scale_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gmcr/metrics.hpp"
+#include "gmcr/synthetic.hpp"
+#include "problems.hpp"
+
+namespace gmcr {
+namespace {
+
+TEST(DefaultScaleRange, IsCentredOnTheRatioOfTheSizes) {
+  testing::RandomGeometry random(1);
+  const Points source = random.in_cube(50);
+  const Correspondences c = centre(source, 3 * source, Eigen::ArrayXd::Ones(50));
+  const ScaleRange range = default_scale_range(c);
+  EXPECT_NEAR(range.min * range.max, 9, 1e-9);
+  EXPECT_LT(range.min, 0.3);
+  EXPECT_GT(range.max, 30);
+}
+
+TEST(DefaultScaleRange, OfCoincidentPointsIsStillARange) {
+  const ScaleRange range =
+      default_scale_range({Points::Zero(3, 4), Points::Zero(3, 4), Eigen::ArrayXd::Ones(4)});
+  EXPECT_GT(range.min, 0);
+  EXPECT_LT(range.min, range.max);
+}
+
+TEST(ScaleSearch, FindsWhatNoVoteOverPairsCanSee) {
+  // 10 inliers of 300: their 45 pairs drown among thousands that agree by chance at any scale
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    SyntheticOptions synthetic;
+    synthetic.num_correspondences = 300;
+    synthetic.outlier_rate = 0.96;
+    synthetic.scale_range = {2.5, 2.5};
+    synthetic.seed = seed;
+    const SyntheticProblem problem = make_synthetic(synthetic);
+    Options options;
+    options.noise_bound = problem.noise_bound;
+    options.scale_mode = ScaleMode::Estimated;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    EXPECT_EQ(result.status, Status::Ok);
+    EXPECT_LT(
+        mean_point_error(result.target_from_source, problem.target_from_source, problem.source),
+        0.05);
+    EXPECT_GT(result.diagnostics.num_scale_ranges, 1);
+    EXPECT_LE(result.certificate.upper, result.certificate.lower + 3);
+  }
+}
+
+TEST(ScaleSearch, BoundsThePosesOfEveryScale) {
+  // brute force over poses is out of reach; the consensus of known transforms must stay below the
+  // bound
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto first = testing::random_problem(seed, 12, 0, 0.5);
+    const auto second = testing::random_problem(seed + 100, 11, 0, 4);
+    Points source(3, 23), target(3, 23);
+    source << first.source, second.source;
+    target << first.target, second.target;
+    Options options;
+    options.noise_bound = 0.01;
+    options.scale_mode = ScaleMode::Estimated;
+    options.evidence = Evidence::Count;
+    const Result result = register_correspondences(source, target, options);
+    EXPECT_GE(result.certificate.upper, 12);
+    EXPECT_EQ(result.certificate.lower, 12);
+    EXPECT_NEAR(result.target_from_source.scale, 0.5, 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace gmcr
