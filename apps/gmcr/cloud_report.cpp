@@ -35,6 +35,7 @@ Json to_json(const CloudResult& result, const Refinement& refinement, double tot
   json["num_source_voxels"] = result.matches.source_voxels.cols();
   json["num_target_voxels"] = result.matches.target_voxels.cols();
   json["fitness"] = result.fitness;
+  json["target_fitness"] = result.target_fitness;
   json["overlap_rmse"] = result.overlap_rmse;
   json["verdict"] = to_string(result.verdict);
   json["verdict_reason"] = result.verdict_reason;

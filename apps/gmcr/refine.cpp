@@ -61,14 +61,23 @@ Similarity run_icp(const CloudMatches& matches, const Similarity& pose) {
   return refined;
 }
 
-/// Fitness and RMSE of `pose`, as `CloudResult` defines them.
-icp::RegistrationResult evaluate(const CloudMatches& matches, const Similarity& pose) {
-  return icp::EvaluateRegistration(to_open3d(pose.apply(matches.source_voxels)),
-                                   to_open3d(matches.target_voxels), matches.target_voxel_size);
+/// Fitness and RMSE as `CloudResult` defines them.
+struct Overlap {
+  double fitness = 0;
+  double rmse = 0;
+  double target_fitness = 0;
+};
+
+Overlap evaluate(const CloudMatches& matches, const Similarity& pose) {
+  const Open3DCloud source = to_open3d(pose.apply(matches.source_voxels));
+  const Open3DCloud target = to_open3d(matches.target_voxels);
+  const auto forth = icp::EvaluateRegistration(source, target, matches.target_voxel_size);
+  const auto back = icp::EvaluateRegistration(target, source, matches.target_voxel_size);
+  return {forth.fitness_, forth.inlier_rmse_, back.fitness_};
 }
 
 void adopt(CloudResult& result, const Similarity& pose, std::vector<Index> inliers,
-           const icp::RegistrationResult& overlap, const Options& options) {
+           const Overlap& overlap, const Options& options) {
   Result& registration = result.registration;
   // the weights of distinct evidence stay inside the library
   registration.evidence = options.evidence == Evidence::Count
@@ -79,19 +88,20 @@ void adopt(CloudResult& result, const Similarity& pose, std::vector<Index> inlie
   Certificate& certificate = registration.certificate;
   certificate.lower = static_cast<Index>(registration.inliers.size());
   certificate.certified = certificate.lower == certificate.upper;
-  result.fitness = overlap.fitness_;
-  result.overlap_rmse = overlap.inlier_rmse_;
+  result.fitness = overlap.fitness;
+  result.overlap_rmse = overlap.rmse;
+  result.target_fitness = overlap.target_fitness;
 }
 
 Refinement refine(CloudResult& result, const Options& options) {
   const Similarity before = result.registration.target_from_source;
   const auto inliers_before = static_cast<Index>(result.registration.inliers.size());
   const Similarity after = run_icp(result.matches, before);
-  const auto overlap = evaluate(result.matches, after);
+  const Overlap overlap = evaluate(result.matches, after);
   std::vector<Index> inliers =
       inliers_of(result.matches, after, result.matches.noise_bound / options.threshold);
   const auto num_inliers = static_cast<Index>(inliers.size());
-  const bool keeps_overlap = overlap.fitness_ >= kLeastFitnessKept * result.fitness;
+  const bool keeps_overlap = overlap.fitness >= kLeastFitnessKept * result.fitness;
   const bool keeps_inliers =
       num_inliers >= kLeastInliers &&
       static_cast<double>(num_inliers) >= kLeastInliersKept * static_cast<double>(inliers_before);
@@ -99,7 +109,7 @@ Refinement refine(CloudResult& result, const Options& options) {
     return {"icp", false,
             fmt::format("ICP was rejected: it would change fitness {:.3f} to {:.3f} and {} inliers "
                         "to {}",
-                        result.fitness, overlap.fitness_, inliers_before, num_inliers)};
+                        result.fitness, overlap.fitness, inliers_before, num_inliers)};
   }
   const std::string note =
       fmt::format("ICP turned the pose by {:.3f} deg; {} inliers became {}",

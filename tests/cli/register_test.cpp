@@ -1,0 +1,120 @@
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "cli/tool.hpp"
+#include "gmcr/io.hpp"
+
+namespace gmcr {
+namespace {
+
+using nlohmann::json;
+using test::run_json;
+using test::TemporaryFolder;
+
+/// A bumpy closed surface without symmetry, and the same under a known motion.
+class Register : public testing::Test {
+ protected:
+  Register() {
+    constexpr Index kNumPoints = 4000;
+    Points source(3, kNumPoints);
+    for (Index i = 0; i < kNumPoints; ++i) {
+      // Fibonacci sphere
+      const double height = 1 - 2 * (static_cast<double>(i) + 0.5) / kNumPoints;
+      const double turn = 2.399963229728653 * static_cast<double>(i);
+      const double ring = std::sqrt(1 - height * height);
+      const Eigen::Vector3d direction(ring * std::cos(turn), ring * std::sin(turn), height);
+      const double radius = 1 +
+                            0.25 * std::sin(3 * direction.x() + 1) * std::cos(4 * direction.y()) +
+                            0.2 * std::sin(5 * direction.z() + direction.x());
+      source.col(i) = radius * direction;
+    }
+    truth_.rotation = Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 2, -1).normalized()).matrix();
+    truth_.translation << 0.5, -2, 1;
+    write_cloud(folder_ / "source.ply", source);
+    write_cloud(folder_ / "target.ply", truth_.apply(source));
+    write_transform(folder_ / "truth.txt", truth_);
+  }
+
+  std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+
+  std::string command() const {
+    return "register " + path("source.ply") + " " + path("target.ply") +
+           " --orientation outward --voxel 0.08 ";
+  }
+
+  TemporaryFolder folder_;
+  Similarity truth_;
+};
+
+TEST_F(Register, FindsThePoseAndKeepsTheContract) {
+  const json result = run_json(command() + "--evidence count -o " + path("T.txt") + " --aligned " +
+                               path("aligned.ply") + " --matches " + path("matches.csv"));
+  EXPECT_EQ(result.at("status"), "ok");
+  EXPECT_EQ(result.at("num_source_points"), 4000);
+  EXPECT_EQ(result.at("num_target_points"), 4000);
+  EXPECT_GT(result.at("fitness").get<double>(), 0.9);
+  EXPECT_EQ(result.at("voxel_size"), 0.08);
+  EXPECT_EQ(result.at("certificate").at("lower"), result.at("num_inliers"));
+  const Similarity pose = read_transform(folder_ / "T.txt");
+  EXPECT_LT((pose.matrix() - truth_.matrix()).norm(), 0.05);
+  const Points source = read_cloud(folder_ / "source.ply").points;
+  EXPECT_LT((read_cloud(folder_ / "aligned.ply").points - pose.apply(source)).norm(), 1e-9);
+
+  // inliers are those of the refined pose, and index the written matches
+  const Matches matches = read_matches(folder_ / "matches.csv");
+  const double bound = result.at("noise_bound");
+  std::vector<Index> expected;
+  Similarity printed;
+  printed.scale = result.at("scale");
+  for (Index i = 0; i < 3; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    printed.translation(i) = result.at("translation").at(row);
+    for (Index j = 0; j < 3; ++j) {
+      printed.rotation(i, j) = result.at("rotation").at(row).at(static_cast<std::size_t>(j));
+    }
+  }
+  for (Index i = 0; i < matches.source.cols(); ++i) {
+    const Eigen::Vector3d image = printed * matches.source.col(i);
+    if ((matches.target.col(i) - image).norm() <= bound) expected.push_back(i);
+  }
+  EXPECT_EQ(result.at("inliers").get<std::vector<Index>>(), expected);
+}
+
+TEST_F(Register, RefinesOnlyWhereAsked) {
+  const json plain = run_json(command() + "--refine none");
+  const json refined = run_json(command() + "--refine icp");
+  EXPECT_EQ(plain.at("refinement").at("applied"), false);
+  EXPECT_FALSE(plain.at("time_ms").contains("refinement"));
+  EXPECT_TRUE(refined.at("time_ms").contains("refinement"));
+  EXPECT_NE(plain.at("target_from_source"), refined.at("target_from_source"));
+}
+
+TEST_F(Register, MatchWritesWhatSolveReads) {
+  const json matched = run_json("match " + path("source.ply") + " " + path("target.ply") +
+                                " --orientation outward --voxel 0.08 -o " + path("m.csv"));
+  EXPECT_EQ(matched.at("voxel_size"), 0.08);
+  const json solved = run_json("solve " + path("m.csv") + " --noise-bound " +
+                               std::to_string(matched.at("noise_bound").get<double>()));
+  EXPECT_EQ(solved.at("num_correspondences"), matched.at("num_correspondences"));
+  EXPECT_EQ(solved.at("status"), "ok");
+}
+
+TEST_F(Register, WarnsOfDroppedPointsOnStderrOnly) {
+  Points source = read_cloud(folder_ / "source.ply").points;
+  source(0, 7) = std::nan("");
+  write_cloud(folder_ / "source.ply", source);
+  const auto output = test::run_tool(command() + "--json");
+  EXPECT_NE(output.err.find("dropped 1 points"), std::string::npos) << output.err;
+  const json result = json::parse(output.out, nullptr, false);
+  EXPECT_EQ(result.at("num_source_points"), 3999);
+}
+
+TEST(RegisterOfTooFewPoints, ExitsWithOne) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("c.xyz", "0 0 0\n1 0 0\n").string();
+  EXPECT_EQ(run_json("register '" + path + "' '" + path + "' --voxel 0.1", 1).at("status"),
+            "too_few_correspondences");
+}
+
+}  // namespace
+}  // namespace gmcr
