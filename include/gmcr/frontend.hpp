@@ -42,8 +42,10 @@ struct FrontendOptions {
   /// second best, in (0, 1]; 1 keeps all.
   double max_ratio = 1;
 
-  /// Settings that `register_clouds` may try before it settles for the best result, >= 1.
-  int max_attempts = 4;
+  /// Settings that `register_clouds` may try before it settles for the best result, >= 1. The first
+  /// is the one above; the others change voxel size, sides of the normals and, for small clouds,
+  /// feature radius and filters of the matches.
+  int max_attempts = 8;
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;
@@ -84,6 +86,8 @@ struct CloudResult {
   /// the target after the transform, in [0, 1]; 0 without a pose.
   double fitness = 0;
   double overlap_rmse = 0;  ///< RMS distance of those points, metres
+  /// The same share the other way round: of `matches.target_voxels` near the transformed source.
+  double target_fitness = 0;
   Verdict verdict = Verdict::Untrusted;
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried

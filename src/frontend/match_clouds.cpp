@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -6,6 +7,7 @@
 #include "frontend/extent.hpp"
 #include "frontend/feature_matching.hpp"
 #include "frontend/surface.hpp"
+#include "frontend/voxel_grid.hpp"
 
 namespace gmcr {
 namespace {
@@ -19,24 +21,45 @@ struct VoxelSizes {
   double target;
 };
 
+/// A grid that leaves more than this share of the points apart is finer than their spacing.
+constexpr double kSparseShare = 0.7;
+
 /// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
 double voxel_size_from(const PointsRef& points) {
   const double extent = points.cols() > 0 ? robust_extent(points) : 0;
   return extent > 0 ? kVoxelShare * extent : 1;
 }
 
+/// Smallest of `voxel_size` times 1, sqrt(2), 2 and so on that merges points of a sparse cloud.
+double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
+  constexpr int kMostSteps = 6;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto num_voxels = static_cast<double>(voxel_grid(points, voxel_size).cols());
+    if (num_voxels <= kSparseShare * static_cast<double>(points.cols())) break;
+    voxel_size *= std::numbers::sqrt2;
+  }
+  return voxel_size;
+}
+
+/// Sizes as given, and from the clouds where not.
+/// @param coarsen  no chosen size is below the spacing of the points.
 VoxelSizes choose_voxel_sizes(const PointsRef& source, const PointsRef& target,
-                              const FrontendOptions& frontend, const Options& options) {
+                              const FrontendOptions& frontend, const Options& options,
+                              bool coarsen) {
+  const auto fit_spacing = [&](const PointsRef& points, double size) {
+    return coarsen ? coarsen_to_spacing(points, size) : size;
+  };
   VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
   if (options.scale_mode == ScaleMode::Estimated) {
-    if (sizes.source == 0) sizes.source = voxel_size_from(source);
-    if (sizes.target == 0) sizes.target = voxel_size_from(target);
+    if (sizes.source == 0) sizes.source = fit_spacing(source, voxel_size_from(source));
+    if (sizes.target == 0) sizes.target = fit_spacing(target, voxel_size_from(target));
     return sizes;
   }
+  if (sizes.target == 0 && sizes.source > 0) sizes.target = sizes.source * options.scale;
   if (sizes.target == 0) {
-    sizes.target = sizes.source > 0
-                       ? sizes.source * options.scale
-                       : std::min(voxel_size_from(source) * options.scale, voxel_size_from(target));
+    const double size = std::min(voxel_size_from(source) * options.scale, voxel_size_from(target));
+    sizes.target = std::max(fit_spacing(source, size / options.scale) * options.scale,
+                            fit_spacing(target, size));
   }
   if (sizes.source == 0) sizes.source = sizes.target / options.scale;
   return sizes;
@@ -63,11 +86,18 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
 }
 
 CloudMatches match_with(const PointsRef& source, const PointsRef& target,
-                        const FrontendOptions& frontend, const Options& options,
+                        const FrontendOptions& asked, const Options& options,
                         const FrontendSetting& setting) {
+  FrontendOptions frontend = asked;
+  frontend.feature_radius *= setting.feature_radius_factor;
+  if (setting.keep_all_matches) {
+    frontend.mutual = false;
+    frontend.max_ratio = 1;
+  }
   CloudMatches matches;
   StageClock clock(matches.stages);
-  const VoxelSizes sizes = choose_voxel_sizes(source, target, frontend, options);
+  const VoxelSizes sizes =
+      choose_voxel_sizes(source, target, frontend, options, setting.keep_all_matches);
   matches.source_voxel_size = setting.voxel_factor * sizes.source;
   matches.target_voxel_size = setting.voxel_factor * sizes.target;
   matches.noise_bound = options.noise_bound > 0

@@ -10,6 +10,23 @@
 namespace gmcr {
 namespace {
 
+/// Source voxels above which an attempt that keeps all matches costs more than it is worth.
+constexpr Index kMostUnfiltered = 3000;
+
+/// How the voxels of the two clouds meet under the pose, both ways.
+void measure_fit(CloudResult& result, int num_threads) {
+  const CloudMatches& matches = result.matches;
+  const Similarity& pose = result.registration.target_from_source;
+  const double radius = matches.target_voxel_size;
+  const Overlap forward =
+      measure_overlap(matches.source_voxels, matches.target_voxels, pose, radius, num_threads);
+  const Overlap backward = measure_overlap(matches.target_voxels, matches.source_voxels,
+                                           pose.inverse(), radius / pose.scale, num_threads);
+  result.fitness = forward.fitness;
+  result.overlap_rmse = forward.rmse;
+  result.target_fitness = backward.fitness;
+}
+
 /// One attempt from raw clouds to a judged pose.
 CloudResult attempt(const PointsRef& source, const PointsRef& target,
                     const FrontendOptions& frontend, const Options& options,
@@ -22,21 +39,14 @@ CloudResult attempt(const PointsRef& source, const PointsRef& target,
   solver.noise_bound = result.matches.noise_bound;
   result.registration =
       register_correspondences(result.matches.source, result.matches.target, solver);
-  if (result.registration.status == Status::Ok) {
-    const Overlap overlap =
-        measure_overlap(result.matches.source_voxels, result.matches.target_voxels,
-                        result.registration.target_from_source, result.matches.target_voxel_size,
-                        options.num_threads);
-    result.fitness = overlap.fitness;
-    result.overlap_rmse = overlap.rmse;
-  }
-  judge(result);
+  if (result.registration.status == Status::Ok) measure_fit(result, options.num_threads);
+  judge(result, setting.keep_all_matches);
   return result;
 }
 
 bool better(const CloudResult& a, const CloudResult& b) {
   const auto key = [](const CloudResult& r) {
-    return std::tuple(-static_cast<int>(r.verdict), r.registration.inliers.size(), r.fitness);
+    return std::tuple(-static_cast<int>(r.verdict), r.fitness + r.target_fitness);
   };
   return key(a) > key(b);
 }
@@ -59,6 +69,8 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   std::vector<StageTime> stages;
   int num_attempts = 0;
   for (const FrontendSetting& setting : list_settings(frontend)) {
+    const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
+    if (setting.keep_all_matches && too_many) continue;
     CloudResult result = attempt(source, target, frontend, options, setting);
     add_stages(stages, result.matches.stages);
     add_stages(stages, result.registration.diagnostics.stages);

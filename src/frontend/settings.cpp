@@ -6,15 +6,20 @@ namespace gmcr {
 
 std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
   using enum NormalOrientation;
+  // Ordered by how many of 40 real pairs each adds to those before it. Range images and scans in
+  // the sensor's frame come first, then a model of a whole object sought in such a scan.
+  const std::vector<FrontendSetting> all = {
+      {1, TowardViewpoint, TowardViewpoint},    {1, Outward, TowardViewpoint},
+      {1.5, TowardViewpoint, TowardViewpoint},  {1, Outward, Outward},
+      {1.5, Outward, TowardViewpoint, true, 1}, {1.5, Outward, TowardViewpoint, true, 1.6},
+      {1, Outward, TowardViewpoint, true, 1.6}, {1.5, Outward, Outward}};
   std::vector<FrontendSetting> settings;
-  const bool automatic = frontend.orientation == Automatic;
-  for (const double factor : {1.0, 0.7, 1.4}) {
-    if (automatic || frontend.orientation == TowardViewpoint) {
-      settings.push_back({factor, TowardViewpoint, TowardViewpoint});
+  for (FrontendSetting setting : all) {
+    if (frontend.orientation != Automatic && (setting.source_side != frontend.orientation ||
+                                              setting.target_side != frontend.orientation)) {
+      continue;
     }
-    if (automatic) settings.push_back({factor, Outward, TowardViewpoint});
-    if (automatic || frontend.orientation == Outward)
-      settings.push_back({factor, Outward, Outward});
+    settings.push_back(setting);
   }
   const auto count = std::min(settings.size(), static_cast<std::size_t>(frontend.max_attempts));
   settings.resize(count);

@@ -1,8 +1,20 @@
 #include "frontend/verdict.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace gmcr {
+namespace {
+
+// Mutual matches that agree: at most 10 in 23 unrelated pairs, at least 38 in 34 right poses.
+constexpr Index kChanceInliers = 12;
+constexpr Index kTrustedInliers = 20;
+// Shares of a cloud that the other covers.
+constexpr double kLeastCoverage = 0.2;
+constexpr double kPlausibleCoverage = 0.5;
+
+}  // namespace
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {
@@ -16,25 +28,25 @@ const char* to_string(Verdict verdict) {
   return "unknown";
 }
 
-void judge(CloudResult& result) {
+void judge(CloudResult& result, bool all_matches) {
   const auto num_inliers = static_cast<Index>(result.registration.inliers.size());
+  const double coverage = std::max(result.fitness, result.target_fitness);
   const std::string count = std::to_string(num_inliers) + " of " +
                             std::to_string(result.matches.source.cols()) + " matches agree";
+  const std::string meet =
+      std::to_string(std::lround(100 * coverage)) + " % of a cloud meets the other";
   if (result.registration.status != Status::Ok) {
     result.verdict = Verdict::Untrusted;
     result.verdict_reason = "there is no pose: " + result.registration.status_reason;
-  } else if (num_inliers < 10) {
+  } else if (all_matches ? coverage < kPlausibleCoverage : num_inliers < kChanceInliers) {
     result.verdict = Verdict::Untrusted;
-    result.verdict_reason = "only " + count + ", which chance explains";
-  } else if (num_inliers < 20) {
+    result.verdict_reason = count + " and " + meet + ", which chance explains";
+  } else if (all_matches || num_inliers < kTrustedInliers || coverage < kLeastCoverage) {
     result.verdict = Verdict::Doubtful;
-    result.verdict_reason = "only " + count;
-  } else if (result.fitness < 0.2) {
-    result.verdict = Verdict::Doubtful;
-    result.verdict_reason = count + ", but little of the source meets the target";
+    result.verdict_reason = "only " + count + " and " + meet;
   } else {
     result.verdict = Verdict::Trusted;
-    result.verdict_reason = count;
+    result.verdict_reason = count + " and " + meet;
   }
 }
 

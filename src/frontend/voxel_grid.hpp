@@ -11,7 +11,8 @@ namespace gmcr {
 /// @param points      3 x N, metres, finite.
 /// @param voxel_size  edge of a cell, metres, > 0, finite.
 /// @return 3 x M, M <= N.
-/// @throws std::invalid_argument where the grid has more cells than 63 bits can number.
+/// @throws std::invalid_argument naming `voxel_size` where an axis has more cells than 63 bits can
+///   number.
 /// Cost O(N log N). Deterministic.
 Points voxel_grid(const PointsRef& points, double voxel_size);
 

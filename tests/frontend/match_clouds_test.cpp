@@ -184,7 +184,7 @@ TEST(MatchClouds, OfCloudsWithoutASurfaceAreNone) {
 
 TEST(MatchClouds, OfAVoxelTooSmallToNumberThrows) {
   const Points whole = bumpy_sphere(500, 1);
-  EXPECT_THROW(match_clouds(whole, whole, outward(1e-8)), std::invalid_argument);
+  EXPECT_THROW(match_clouds(whole, whole, outward(1e-19)), std::invalid_argument);
 }
 
 }  // namespace

@@ -35,8 +35,11 @@ TEST(RegisterClouds, RecoversAnUnknownScale) {
     const Similarity motion = some_motion(scale);
     Options options;
     options.scale_mode = ScaleMode::Estimated;
+    FrontendOptions frontend;
+    frontend.orientation = NormalOrientation::Outward;
+    frontend.max_attempts = 1;
     const CloudResult result =
-        register_clouds(source, motion.apply(bumpy_sphere(6000, 2)), {}, options);
+        register_clouds(source, motion.apply(bumpy_sphere(6000, 2)), frontend, options);
     ASSERT_EQ(result.registration.status, Status::Ok);
     EXPECT_LT(scale_error(result.registration.target_from_source.scale, scale), 0.03);
     EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, source),
@@ -73,6 +76,33 @@ TEST(RegisterClouds, OfCloudsWithoutASurfaceHasNoPose) {
     EXPECT_EQ(result.fitness, 0);
     EXPECT_NE(result.verdict_reason.find("no pose"), std::string::npos);
   }
+}
+
+TEST(RegisterClouds, TurnsTheNormalsOfAModelOutwardWhereItsViewIsSeenFromTheOrigin) {
+  const Points model = bumpy_sphere(6000, 1);
+  Similarity motion = some_motion();
+  motion.translation = {0, 0, 8};
+  Points view = motion.apply(bumpy_sphere(12000, 2));
+  std::vector<Index> visible;
+  for (Index i = 0; i < view.cols(); ++i) {
+    if (view(2, i) < 8) visible.push_back(i);
+  }
+  const CloudResult result = register_clouds(model, view(Eigen::all, visible));
+  EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
+  EXPECT_EQ(result.num_attempts, 2);
+  EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, model), 0.1);
+  EXPECT_GT(result.target_fitness, result.fitness);
+}
+
+TEST(RegisterClouds, HasTheVerdictOfTheFirstAttemptWithoutOthers) {
+  FrontendOptions frontend;
+  frontend.orientation = NormalOrientation::Outward;
+  const Points source = bumpy_sphere(6000, 1);
+  const CloudResult result =
+      register_clouds(source, some_motion().apply(bumpy_sphere(6000, 2)), frontend);
+  EXPECT_EQ(result.num_attempts, 1);
+  EXPECT_EQ(result.verdict, Verdict::Trusted);
+  EXPECT_NE(result.verdict_reason.find("matches agree"), std::string::npos);
 }
 
 TEST(RegisterClouds, StopsAtMaxAttempts) {

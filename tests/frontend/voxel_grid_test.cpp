@@ -79,13 +79,22 @@ TEST(VoxelGrid, ThatOverflowsNamesTheVoxelSize) {
   Points points(3, 2);
   points << 0, 1e7, 0, 1e7, 0, 1e7;
   try {
-    voxel_grid(points, 1e-3);
+    voxel_grid(points, 1e-13);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("voxel_size"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).rfind("voxel_size:", 0), 0u) << error.what();
   }
   EXPECT_THROW(voxel_grid(points, 1e-300), std::invalid_argument);
+  EXPECT_THROW(voxel_grid(Points{{-1e308, 1e308}, {0, 0}, {0, 0}}, 1), std::invalid_argument);
   EXPECT_NO_THROW(voxel_grid(points, 10));
+}
+
+TEST(VoxelGrid, OfACloudWithAFarStrayPointIsThatOfTheRestAndThePoint) {
+  Points points(3, 501);
+  points.leftCols(500) = random_points(500, 6);
+  points.col(500).setConstant(1e12);
+  const Points means = voxel_grid(points, 0.1);
+  EXPECT_EQ(means.cols(), voxel_grid(points.leftCols(500), 0.1).cols() + 1);
 }
 
 RC_GTEST_PROP(VoxelGrid, IsPermutedInputGivesTheSameMeans, ()) {
