@@ -45,9 +45,10 @@ def read_ply(path: Path) -> np.ndarray:
 
 
 def view_axes(points: np.ndarray) -> np.ndarray:
-    """Two axes to look along the direction in which the points vary least, (3, 2)."""
+    """Two axes to look along the direction in which the points vary least, up as y where it can be, (3, 2)."""
     _, _, directions = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
-    return directions[:2].T
+    across, up = directions[:2]
+    return np.stack([across if across[0] > 0 else -across, up if up[1] > 0 else -up], axis=1)
 
 
 def draw_cloud(axis, points: np.ndarray, colour: str, label: str) -> None:
