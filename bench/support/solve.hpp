@@ -16,7 +16,7 @@ struct Problem {
   double noise_bound = 0;
 };
 
-/// Solves the problem `repetitions` times and describes the outcome.
+/// Solves the problem `repetitions` times, fewer where that is slow, and describes the outcome.
 ///
 /// @param options  method, evidence and noise bound are set here.
 /// @return the fields of a record: method, input, wall times (median and quartiles, ms), what the

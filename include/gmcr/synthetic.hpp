@@ -43,8 +43,8 @@ struct SyntheticOptions {
 
   // Random and Structured
   Index num_cloud_points = 1500;  ///< points of the source cloud, >= num_correspondences
-  Index num_sphere_points =
-      200;  ///< points without a partner on the sphere around the target, >= 0
+  /// Points without a partner, on the sphere around the target, >= 0.
+  Index num_sphere_points = 200;
 
   // Structured
   /// Clusters of outliers, >= 0. 0: ceil(10 * outlier_rate) + 2, more where these cannot hold all.
@@ -58,8 +58,8 @@ struct SyntheticOptions {
   void validate() const;
 };
 
-/// Options of the paper's random benchmark: N = 80, noise 0.01 an axis, noise bound 0.02, s in [1,
-/// 5].
+/// Options of the paper's random benchmark: N = 80, noise 0.01 an axis, noise bound 0.02, scales
+/// from 1 to 5.
 SyntheticOptions paper_random_options();
 
 /// Options of the paper's structured benchmark: as the random one with N = 90, noise bound 0.07.
