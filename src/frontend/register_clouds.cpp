@@ -44,9 +44,10 @@ CloudResult attempt(const PointsRef& source, const PointsRef& target,
   return result;
 }
 
+/// Below trust, how the surfaces meet tells more than the numbers of matches of unlike attempts.
 bool better(const CloudResult& a, const CloudResult& b) {
   const auto key = [](const CloudResult& r) {
-    return std::tuple(-static_cast<int>(r.verdict), r.fitness + r.target_fitness);
+    return std::tuple(r.verdict == Verdict::Trusted, r.fitness + r.target_fitness);
   };
   return key(a) > key(b);
 }

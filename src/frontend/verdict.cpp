@@ -7,7 +7,8 @@
 namespace gmcr {
 namespace {
 
-// Mutual matches that agree: at most 10 in 23 unrelated pairs, at least 38 in 34 right poses.
+// Mutual matches that agree in the results kept: at most 10 of 23 unrelated real pairs, at least
+// 38 of 34 right ones.
 constexpr Index kChanceInliers = 12;
 constexpr Index kTrustedInliers = 20;
 // Shares of a cloud that the other covers.

@@ -30,7 +30,7 @@ TEST(RegisterClouds, RecoversAKnownMotion) {
 }
 
 TEST(RegisterClouds, RecoversAnUnknownScale) {
-  const Points source = bumpy_sphere(6000, 1);
+  const Points source = bumpy_sphere(2500, 1);
   for (const double scale : {0.1, 10.0}) {
     const Similarity motion = some_motion(scale);
     Options options;
@@ -39,11 +39,11 @@ TEST(RegisterClouds, RecoversAnUnknownScale) {
     frontend.orientation = NormalOrientation::Outward;
     frontend.max_attempts = 1;
     const CloudResult result =
-        register_clouds(source, motion.apply(bumpy_sphere(6000, 2)), frontend, options);
+        register_clouds(source, motion.apply(bumpy_sphere(2500, 2)), frontend, options);
     ASSERT_EQ(result.registration.status, Status::Ok);
-    EXPECT_LT(scale_error(result.registration.target_from_source.scale, scale), 0.03);
+    EXPECT_LT(scale_error(result.registration.target_from_source.scale, scale), 0.05);
     EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, source),
-              0.08 * scale);
+              0.12 * scale);
   }
 }
 
