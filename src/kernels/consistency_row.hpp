@@ -16,13 +16,21 @@ struct CorrespondenceArrays {
   Index size() const { return source.rows(); }
 };
 
-/// Which correspondences agree with number `i` at some scale of [scale_min, scale_max] (L1):
+/// Whether correspondences i and j agree at some scale of [scale_min, scale_max] (L1):
 ///   |b_j - b_i| - e <= scale_max |a_j - a_i|  and  |b_j - b_i| + e >= scale_min |a_j - a_i|,
-/// with e = bounds_i + bounds_j.
+/// with e = bounds_i + bounds_j. Symmetric in i and j, bit for bit.
+bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double scale_min,
+                   double scale_max);
+
+/// Which correspondences agree with number `i`, by the instruction set of this machine.
 /// @param row  (N + 63) / 64 words; bit j is set iff j agrees with i and j != i.
-/// Symmetric in i and j, bit for bit. Cost O(N).
+/// The same bits as the reference on every instruction set. Cost O(N).
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row);
+
+/// The same, one pair after the other: the specification of `consistency_row`.
+void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                               double scale_max, std::span<std::uint64_t> row);
 
 /// Lengths |a_j - a_i| and |b_j - b_i| for each j in [i + 1, N), in order.
 /// @param source_lengths, target_lengths  N - i - 1 values, metres.

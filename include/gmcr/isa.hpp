@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gmcr {
+
+/// Name of the instruction set that the vectorised loops use on this machine, such as "AVX2".
+/// Every one gives the same bits.
+std::string active_isa();
+
+/// Instruction sets that the library was built for and this machine has, best first.
+std::vector<std::string> supported_isas();
+
+}  // namespace gmcr
