@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
       "correspondences agree with it, and how far that is from the best possible.",
       "gmcr");
   app.set_version_flag("--version", kVersion);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer(kExamples);
   app.get_formatter()->column_width(34);
   Work work;
@@ -76,6 +76,8 @@ int run(int argc, char** argv) {
   add_info_command(app, work);
   try {
     app.parse(argc, argv);
+    // not left to CLI11, which would not name a command that it does not know
+    if (!work) throw CLI::RequiredError("A command");
     return work();
   } catch (const CLI::Success& request) {
     return app.exit(request);  // --help or --version

@@ -21,7 +21,7 @@ TEST(Help, OfEveryCommandHasAnExample) {
 }
 
 TEST(Usage, ThatIsWrongIsRefusedOnOneLine) {
-  expect_failure("", 2, "subcommand");
+  expect_failure("", 2, "A command is required");
   expect_failure("frobnicate", 2, "frobnicate");
   expect_failure("info --wrong", 2, "--wrong");
   expect_failure("solve", 2, "MATCHES");
