@@ -5,8 +5,8 @@ function(gmcr_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off
-    # false alarms of g++ 12 inside Eigen
-    -Wno-maybe-uninitialized -Wno-array-bounds)
+    # false alarms of g++ 12 inside Eigen, and on "literal" + std::string
+    -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict)
   if(GMCR_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

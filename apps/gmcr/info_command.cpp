@@ -1,9 +1,11 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <thread>
 
 #include "commands.hpp"
 #include "gmcr/frontend.hpp"
+#include "gmcr/isa.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/version.hpp"
 #include "json.hpp"
@@ -37,7 +39,8 @@ Json defaults() {
 ExitCode run(bool as_json) {
   Json json;
   json["version"] = kVersion;
-  json["isa"] = isa();
+  json["isa"] = active_isa();
+  json["supported_isas"] = supported_isas();
   json["threads"] = std::max(1u, std::thread::hardware_concurrency());
   json["build_type"] = GMCR_BUILD_TYPE;
   json["compiler"] = __VERSION__;
@@ -48,7 +51,7 @@ ExitCode run(bool as_json) {
   }
   Report report;
   report.line("gmcr", kVersion);
-  report.line("isa", isa());
+  report.line("isa", fmt::format("{}, of {}", active_isa(), fmt::join(supported_isas(), " ")));
   report.line("threads", json["threads"].dump());
   report.line("build", fmt::format("{}, {}", GMCR_BUILD_TYPE, __VERSION__));
   for (const auto& [name, value] : json["defaults"].items()) {

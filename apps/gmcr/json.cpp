@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "gmcr/io.hpp"
+#include "gmcr/isa.hpp"
 #include "gmcr/version.hpp"
 
 namespace gmcr::cli {
@@ -22,16 +23,6 @@ Json stage_times(const Result& result, double total_seconds) {
 }
 
 }  // namespace
-
-const char* isa() {
-#if defined(__x86_64__)
-  return "x86-64";
-#elif defined(__aarch64__)
-  return "aarch64";
-#else
-  return "other";
-#endif
-}
 
 Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   Json rows = Json::array();
@@ -68,7 +59,7 @@ Json to_json(const Result& result, double total_seconds) {
   json["num_clique_nodes"] = diagnostics.num_clique_nodes;
   json["limits_hit"] = diagnostics.limits_hit;
   json["threads"] = diagnostics.num_threads;
-  json["isa"] = isa();
+  json["isa"] = active_isa();
   json["version"] = kVersion;
   return json;
 }

@@ -9,9 +9,6 @@ namespace gmcr::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// "x86-64", "aarch64" or "other": the instruction set that the kernels use.
-const char* isa();
-
 /// Rows of rows.
 Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 

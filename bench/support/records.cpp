@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "gmcr/isa.hpp"
 #include "gmcr/version.hpp"
 
 namespace gmcr::bench {
@@ -20,19 +21,6 @@ std::string cpu_model() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
-}
-
-/// The widest instruction set that the CPU has.
-const char* cpu_isa() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f")) return "avx512";
-  if (__builtin_cpu_supports("avx2")) return "avx2";
-  return "x86-64";
-#elif defined(__aarch64__)
-  return "aarch64";
-#else
-  return "unknown";
-#endif
 }
 
 std::uint64_t fnv1a(std::uint64_t hash, const PointsRef& points) {
@@ -52,7 +40,7 @@ std::uint64_t fnv1a(std::uint64_t hash, const PointsRef& points) {
 Json environment() {
   return {{"version", kVersion},
           {"cpu", cpu_model()},
-          {"isa", cpu_isa()},
+          {"isa", active_isa()},
           {"cores", std::thread::hardware_concurrency()}};
 }
 

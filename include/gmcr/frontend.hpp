@@ -6,6 +6,7 @@
 
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
+#include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
 namespace gmcr {
@@ -62,7 +63,10 @@ struct CloudMatches {
   double source_voxel_size = 0;       ///< metres, source frame
   double target_voxel_size = 0;       ///< metres, target frame
   double noise_bound = 0;             ///< metres, target frame, for the registration
-  std::vector<StageTime> stages;      ///< "voxel", "normals", "features", "matching"
+  /// Whether the mutual and the ratio test were applied; without them the number of matches that
+  /// agree proves little.
+  bool filtered = true;
+  std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
 };
 
 /// How far the pose of two clouds can be relied on.
@@ -117,5 +121,12 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// Cost and determinism: those of the two steps.
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend = {}, const Options& options = {});
+
+/// The result with another pose in place of its own, such as a refined one: inliers, evidence,
+/// certificate, fitness, overlap RMSE and verdict are those of the new pose.
+/// @param options  that the result was computed with.
+/// Cost O(N log N).
+CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
+                      const Options& options);
 
 }  // namespace gmcr

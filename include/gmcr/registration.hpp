@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/types.hpp"
@@ -19,5 +21,19 @@ namespace gmcr {
 /// case and bounded by `options.budget`. Deterministic for any thread count unless the time binds.
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options);
+
+/// The correspondences that agree with a transform, and the evidence that they are.
+struct Consensus {
+  std::vector<Index> inliers;  ///< ascending
+  double evidence = 0;         ///< as in `Result`
+};
+
+/// Consensus set of a given transform, by the same rules as `Result::inliers`: for a pose that was
+/// refined or comes from elsewhere.
+/// @param source, target, options  as for `register_correspondences`; all correspondences count,
+///   whatever `options.one_to_one` says.
+/// @throws std::invalid_argument as `register_correspondences`. Cost O(N log N).
+Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
+                             const PointsRef& target, const Options& options);
 
 }  // namespace gmcr

@@ -29,7 +29,8 @@ const char* to_string(Verdict verdict) {
   return "unknown";
 }
 
-void judge(CloudResult& result, bool all_matches) {
+void judge(CloudResult& result) {
+  const bool all_matches = !result.matches.filtered;
   const auto num_inliers = static_cast<Index>(result.registration.inliers.size());
   const double coverage = std::max(result.fitness, result.target_fitness);
   const std::string count = std::to_string(num_inliers) + " of " +

@@ -4,10 +4,8 @@
 
 namespace gmcr {
 
-/// Judges the pose of `result` by its inliers, matches and fitness; writes verdict and reason.
-///
-/// @param all_matches  the matches were not filtered, so that their number proves little: the pose
-///   is doubtful where the surfaces meet, and never trusted.
-void judge(CloudResult& result, bool all_matches);
+/// Judges the pose of `result` by its inliers, matches and fitness; writes verdict and reason. A
+/// pose from matches that were not filtered is doubtful where the surfaces meet, and never trusted.
+void judge(CloudResult& result);
 
 }  // namespace gmcr

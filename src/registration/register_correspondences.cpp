@@ -167,4 +167,16 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   return result;
 }
 
+Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
+                             const PointsRef& target, const Options& options) {
+  validate_input(source, target, options);
+  Correspondences input;
+  input.source = source;
+  input.target = target;
+  input.bounds = inlier_bounds(options, source.cols());
+  const Hypothesis judged =
+      Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
+  return {judged.inliers, judged.evidence};
+}
+
 }  // namespace gmcr

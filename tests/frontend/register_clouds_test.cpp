@@ -59,6 +59,39 @@ TEST(RegisterClouds, InliersAreWithinTheBoundTheResultNames) {
   EXPECT_EQ(result.registration.inliers, within);
 }
 
+TEST(WithPose, OfItsOwnPoseChangesNothing) {
+  const Points source = bumpy_sphere(5000, 1);
+  const CloudResult result = register_clouds(source, some_motion().apply(bumpy_sphere(5000, 2)));
+  const CloudResult same = with_pose(result, result.registration.target_from_source, {});
+  EXPECT_EQ(same.registration.inliers, result.registration.inliers);
+  EXPECT_DOUBLE_EQ(same.registration.evidence, result.registration.evidence);
+  EXPECT_EQ(same.registration.certificate.upper, result.registration.certificate.upper);
+  EXPECT_EQ(same.fitness, result.fitness);
+  EXPECT_EQ(same.verdict_reason, result.verdict_reason);
+}
+
+TEST(WithPose, OfAWrongPoseIsNotTrusted) {
+  const Points source = bumpy_sphere(5000, 1);
+  const CloudResult result = register_clouds(source, some_motion().apply(bumpy_sphere(5000, 2)));
+  Similarity away = result.registration.target_from_source;
+  away.translation += Eigen::Vector3d(100, 0, 0);
+  const CloudResult wrong = with_pose(result, away, {});
+  EXPECT_EQ(wrong.verdict, Verdict::Untrusted);
+  EXPECT_TRUE(wrong.registration.inliers.empty());
+  EXPECT_EQ(wrong.registration.certificate.lower, 0);
+  EXPECT_FALSE(wrong.registration.certificate.certified);
+  EXPECT_EQ(wrong.fitness, 0);
+}
+
+TEST(RegisterClouds, StopsTheAttemptsWhenTheTimeIsUp) {
+  Options options;
+  options.budget.time = 1e-9;
+  const CloudResult result =
+      register_clouds(bumpy_sphere(3000, 1), 2 * random_points(3000, 2), {}, options);
+  EXPECT_EQ(result.num_attempts, 1);
+  EXPECT_FALSE(result.registration.diagnostics.limits_hit.empty());
+}
+
 TEST(RegisterClouds, OfUnrelatedCloudsIsNotTrusted) {
   const CloudResult result = register_clouds(bumpy_sphere(3000, 1), 2 * random_points(3000, 2));
   EXPECT_NE(result.verdict, Verdict::Trusted);

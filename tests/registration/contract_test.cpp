@@ -50,6 +50,24 @@ TEST(RegisterCorrespondences, InliersAreExactlyTheCorrespondencesWithinTheBound)
   }
 }
 
+TEST(EvaluateConsensus, OfTheReturnedPoseIsTheReturnedConsensus) {
+  const auto problem = random_problem(3, 20, 80);
+  for (const Evidence evidence : {Evidence::Distinct, Evidence::Count}) {
+    Options options = problem.options();
+    options.noise_bound = 0.05;
+    options.evidence = evidence;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    const Consensus consensus =
+        evaluate_consensus(result.target_from_source, problem.source, problem.target, options);
+    EXPECT_EQ(consensus.inliers, result.inliers);
+    EXPECT_NEAR(consensus.evidence, result.evidence, 1e-9);
+    Similarity elsewhere;
+    elsewhere.translation = Eigen::Vector3d(100, 0, 0);
+    EXPECT_TRUE(
+        evaluate_consensus(elsewhere, problem.source, problem.target, options).inliers.empty());
+  }
+}
+
 TEST(RegisterCorrespondences, BoundsPerCorrespondenceTakeTheirOwnPart) {
   auto problem = random_problem(4, 20, 20);
   problem.target.col(0) += Eigen::Vector3d(0.15, 0, 0);
