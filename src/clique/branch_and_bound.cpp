@@ -5,16 +5,17 @@ namespace gmcr {
 BranchAndBound::Outcome BranchAndBound::search(RowsView graph, Index to_beat,
                                                SearchBudget& budget) {
   graph_ = graph;
-  selector_.reset(graph);
+  selector_.reset(graph, budget);
   best_size_ = std::max<Index>(0, to_beat);
   best_.clear();
   chosen_.clear();
   branches_.clear();
   first_branch_.clear();
+  level_bound_.clear();
   candidates_.assign(graph.words_per_row, 0);
   for (Index v = 0; v < graph.num_vertices; ++v) set_bit(candidates_.data(), v);
 
-  enter_level();
+  enter_level(graph.num_vertices);
   Index left_over = 0;
   while (!first_branch_.empty()) {
     if (branches_.size() == first_branch_.back() || branch_bound() <= best_size_) {
@@ -29,9 +30,10 @@ BranchAndBound::Outcome BranchAndBound::search(RowsView graph, Index to_beat,
   return {best_, std::max(best_size_, left_over)};
 }
 
-void BranchAndBound::enter_level() {
+void BranchAndBound::enter_level(Index bound) {
   const Index level = static_cast<Index>(first_branch_.size());
   first_branch_.push_back(branches_.size());
+  level_bound_.push_back(bound);
   const bool is_clique = selector_.select(candidates(level), best_size_ - level, branches_);
   if (is_clique) {
     // The candidates complete the clique at once; no branch can do better.
@@ -43,13 +45,14 @@ void BranchAndBound::enter_level() {
 void BranchAndBound::leave_level() {
   branches_.resize(first_branch_.back());
   first_branch_.pop_back();
+  level_bound_.pop_back();
   if (!chosen_.empty()) chosen_.pop_back();
 }
 
 void BranchAndBound::visit_next_branch() {
   const Index level = static_cast<Index>(first_branch_.size()) - 1;
   const Index words = graph_.words_per_row;
-  const Index v = branches_.back().vertex;
+  const auto [v, bound] = branches_.back();
   branches_.pop_back();
   if (static_cast<Index>(candidates_.size()) < (level + 2) * words) {
     candidates_.resize(2 * (level + 2) * words);
@@ -59,9 +62,10 @@ void BranchAndBound::visit_next_branch() {
   const Word* row = graph_.row(v);
   clear_bit(here, v);
   for (Index w = 0; w < words; ++w) next[w] = here[w] & row[w];
-  if (level + 1 + count_bits(next, words) <= best_size_) return;
+  const Index num_candidates = count_bits(next, words);
+  if (level + 1 + num_candidates <= best_size_) return;
   chosen_.push_back(v);
-  enter_level();
+  enter_level(std::min<Index>(bound - 1, num_candidates));
 }
 
 void BranchAndBound::record_clique(const Word* rest) {
@@ -83,7 +87,8 @@ Index BranchAndBound::unfinished_bound() const {
         level + 1 < first_branch_.size() ? first_branch_[level + 1] : branches_.size();
     // The last branch of a level has its largest bound.
     if (end > first_branch_[level]) {
-      bound = std::max(bound, static_cast<Index>(level) + branches_[end - 1].bound);
+      const Index level_bound = std::min<Index>(level_bound_[level], branches_[end - 1].bound);
+      bound = std::max(bound, static_cast<Index>(level) + level_bound);
     }
   }
   return bound;

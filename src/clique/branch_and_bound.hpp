@@ -24,7 +24,7 @@ class BranchAndBound {
   Outcome search(RowsView graph, Index to_beat, SearchBudget& budget);
 
  private:
-  void enter_level();
+  void enter_level(Index bound);
   void leave_level();
   void visit_next_branch();
   void record_clique(const Word* rest);
@@ -42,6 +42,7 @@ class BranchAndBound {
   std::vector<Word> candidates_;           // one row a level
   std::vector<Branch> branches_;           // of all levels, the deepest last
   std::vector<std::size_t> first_branch_;  // one a level
+  std::vector<Index> level_bound_;         // on the cliques among the candidates of each level
 };
 
 }  // namespace gmcr

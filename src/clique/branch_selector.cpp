@@ -5,6 +5,10 @@ namespace {
 
 // Measured on random graphs: below this density the repairs cost more than they save.
 constexpr double kMinDensityToRepair = 0.4;
+// The repairs of a node may take this many word operations, and some more a word of the graph: they
+// pay with few classes, but their cost grows with the square of the number of classes.
+constexpr Index kMinRepairWords = Index{1} << 22;
+constexpr Index kRepairWordsPerWord = 4;
 
 double density(RowsView graph) {
   const Index n = graph.num_vertices;
@@ -41,8 +45,9 @@ Index single_common_bit(const Word* a, const Word* b, Index num_words) {
 
 }  // namespace
 
-void BranchSelector::reset(RowsView graph) {
+void BranchSelector::reset(RowsView graph, SearchBudget& budget) {
   graph_ = graph;
+  budget_ = &budget;
   words_ = graph.words_per_row;
   repairs_ = density(graph) >= kMinDensityToRepair;
   uncolored_.resize(words_);
@@ -53,6 +58,8 @@ bool BranchSelector::select(const Word* candidates, Index max_pruned, std::vecto
                             std::span<const Index> seeds) {
   std::copy(candidates, candidates + words_, uncolored_.begin());
   max_pruned = std::max<Index>(0, max_pruned);
+  repair_words_left_ =
+      std::max(kMinRepairWords, kRepairWordsPerWord * graph_.num_vertices * words_);
   color_classes(max_pruned, seeds);
   return append_rest(max_pruned, branches);
 }
@@ -68,6 +75,7 @@ void BranchSelector::color_classes(Index max_classes, std::span<const Index> see
       classes_.resize(2 * (num_classes_ + 1) * words_);
     }
     Word* members = color_class(num_classes_);
+    const Index num_colored_before = num_colored_;
     std::fill(members, members + words_, 0);
     std::copy(uncolored_.begin() + first_word, uncolored_.end(), free_.begin() + first_word);
     const auto take = [&](Index v, Index from_word) {
@@ -86,7 +94,14 @@ void BranchSelector::color_classes(Index max_classes, std::span<const Index> see
       while (free_[w] != 0) take(w * kBitsPerWord + std::countr_zero(free_[w]), w);
     }
     ++num_classes_;
+    if (!budget_->spend_work((num_colored_ - num_colored_before) * words_)) return;
   }
+}
+
+void BranchSelector::append_all(Index bound, std::vector<Branch>& branches) {
+  for_each_bit(uncolored_.data(), words_, [&](Index v) {
+    branches.push_back({static_cast<std::int32_t>(v), static_cast<std::int32_t>(++bound)});
+  });
 }
 
 bool BranchSelector::append_rest(Index max_pruned, std::vector<Branch>& branches) {
@@ -98,14 +113,18 @@ bool BranchSelector::append_rest(Index max_pruned, std::vector<Branch>& branches
       ++first_word;
       continue;
     }
+    if (budget_->spent()) {
+      append_all(bound, branches);
+      return false;
+    }
     std::copy(uncolored_.begin() + first_word, uncolored_.end(), free_.begin() + first_word);
     Index class_size = 0;
     for (Index w = first_word; w < words_; ++w) {
-      while (free_[w] != 0) {
+      while (free_[w] != 0 && budget_->spend_work(words_)) {
         const Index v = w * kBitsPerWord + std::countr_zero(free_[w]);
         clear_bit(free_.data(), v);
         clear_bit(uncolored_.data(), v);
-        if (repairs_ && repair(v)) {
+        if (repair(v)) {
           is_clique = false;
           continue;
         }
@@ -121,10 +140,20 @@ bool BranchSelector::append_rest(Index max_pruned, std::vector<Branch>& branches
 }
 
 bool BranchSelector::repair(Index v) {
+  if (!repairs_ || repair_words_left_ <= 0) return false;
+  const Index words_left_before = repair_words_left_;
+  const bool repaired = find_repair(v);
+  budget_->spend_work(words_left_before - repair_words_left_);
+  return repaired;
+}
+
+bool BranchSelector::find_repair(Index v) {
   const Word* row = graph_.row(v);
   Index triple_1 = -1, triple_2 = -1;
   for (Index c = 0; c < num_classes_; ++c) {
     if (in_triple_[c]) continue;
+    if (repair_words_left_ <= 0) break;
+    repair_words_left_ -= words_;
     const Index conflict = single_common_bit(color_class(c), row, words_);
     if (conflict == kSeveral) continue;
     if (conflict == kNone) {
@@ -134,6 +163,7 @@ bool BranchSelector::repair(Index v) {
     const Word* conflict_row = graph_.row(conflict);
     for (Index other = 0; other < num_classes_; ++other) {
       if (other == c || in_triple_[other]) continue;
+      repair_words_left_ -= words_;
       const Overlap overlap = overlap_of(color_class(other), conflict_row, row, words_);
       if (overlap == Overlap::WithFirst && triple_1 < 0) {
         triple_1 = c;

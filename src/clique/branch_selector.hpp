@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clique/bit_rows.hpp"
+#include "clique/search_budget.hpp"
 
 namespace gmcr {
 
@@ -24,11 +25,13 @@ struct Branch {
 class BranchSelector {
  public:
   /// Works on `graph` from now on; the choice of repairs depends on its density.
-  void reset(RowsView graph);
+  /// @param budget  outlives the use of `graph`.
+  void reset(RowsView graph, SearchBudget& budget);
 
   /// Appends the branches within `candidates` to `branches`, by ascending bound.
   ///
   /// The candidates that are not appended have no clique of more than `max_pruned` vertices.
+  /// Once the budget is spent, all that has no class yet becomes a branch.
   /// @param seeds  as in `color_greedily`.
   /// @return whether the candidates are a clique.
   bool select(const Word* candidates, Index max_pruned, std::vector<Branch>& branches,
@@ -37,13 +40,17 @@ class BranchSelector {
  private:
   void color_classes(Index max_classes, std::span<const Index> seeds);
   bool append_rest(Index max_pruned, std::vector<Branch>& branches);
+  void append_all(Index bound, std::vector<Branch>& branches);
   bool repair(Index v);
+  bool find_repair(Index v);
 
   Word* color_class(Index c) { return classes_.data() + c * words_; }
   const Word* color_class(Index c) const { return classes_.data() + c * words_; }
 
   RowsView graph_;
+  SearchBudget* budget_ = nullptr;
   Index words_ = 0;
+  Index repair_words_left_ = 0;  // word operations that the repairs of this node may still take
   bool repairs_ = false;
   Index num_classes_ = 0;
   Index num_colored_ = 0;

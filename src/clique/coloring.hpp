@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "clique/bit_rows.hpp"
+#include "clique/search_budget.hpp"
 
 namespace gmcr {
 
@@ -20,9 +21,10 @@ struct Coloring {
 /// @param subset  bit mask of the vertices to colour.
 /// @param seeds   vertices of the subset, distinct: seeds[i] opens class i where it is still
 ///                uncoloured. A known clique as seeds makes the classes fit it.
+/// @param budget  null: none. Once it is spent, each vertex left gets a colour of its own.
 /// Deterministic. Cost O(k n / 64) for k vertices of n.
 Coloring color_greedily(RowsView graph, std::span<const Word> subset,
-                        std::span<const Index> seeds = {});
+                        std::span<const Index> seeds = {}, SearchBudget* budget = nullptr);
 
 /// Upper bound on the cliques of `graph`: the number of colours of its greedy colouring.
 Index color_bound(RowsView graph);
@@ -33,7 +35,8 @@ Index color_bound(RowsView graph, std::span<const Word> subset);
 /// Colours at most `max_colors` classes; whether that coloured all of `subset`. True proves that
 /// the subset has no clique of more vertices.
 /// @param scratch  any content; reused memory.
+/// @param budget   null: none. False once it is spent.
 bool colors_with(RowsView graph, std::span<const Word> subset, Index max_colors,
-                 std::vector<Word>& scratch);
+                 std::vector<Word>& scratch, SearchBudget* budget = nullptr);
 
 }  // namespace gmcr

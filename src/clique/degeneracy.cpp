@@ -6,6 +6,9 @@
 namespace gmcr {
 namespace {
 
+// Lowering a degree costs about as much as this many word operations.
+constexpr Index kWordsPerEdge = 8;
+
 /// Vertices sorted by their current degree; a degree falls by one in O(1).
 class DegreeBuckets {
  public:
@@ -52,7 +55,7 @@ class DegreeBuckets {
 
 }  // namespace
 
-Degeneracy degeneracy_order(RowsView graph) {
+Degeneracy degeneracy_order(RowsView graph, SearchBudget* budget) {
   const Index n = graph.num_vertices;
   Degeneracy result;
   result.order.reserve(n);
@@ -65,7 +68,11 @@ Degeneracy degeneracy_order(RowsView graph) {
     const Index v = buckets.take_smallest(i);
     result.order.push_back(v);
     result.degeneracy = std::max<Index>(result.degeneracy, buckets.degree(v));
+    // Out of budget, degrees fall no more: ascending as they are, they bound the core numbers.
     result.core[v] = result.degeneracy;
+    if (budget && !budget->spend_work(graph.words_per_row + kWordsPerEdge * buckets.degree(v))) {
+      continue;
+    }
     clear_bit(later.data(), v);
     const Word* row = graph.row(v);
     for (Index w = 0; w < graph.words_per_row; ++w) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "clique/bit_rows.hpp"
+#include "clique/search_budget.hpp"
 
 namespace gmcr {
 
@@ -17,7 +18,9 @@ struct Degeneracy {
 /// Degeneracy order and core numbers by a bucket queue (Matula and Beck 1983; Batagelj and
 /// Zaversnik 2003).
 ///
+/// @param budget  null: none. Once it is spent, the order of the vertices left is arbitrary, and
+///                what `core` and `degeneracy` hold are upper bounds on the core numbers.
 /// Deterministic. Cost O(E + n^2 / 64) for n vertices and E edges.
-Degeneracy degeneracy_order(RowsView graph);
+Degeneracy degeneracy_order(RowsView graph, SearchBudget* budget = nullptr);
 
 }  // namespace gmcr

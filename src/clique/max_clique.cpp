@@ -20,18 +20,21 @@ constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 std::vector<Index> checked_clique(const BitsetGraph& graph, std::vector<Index> clique) {
   if (clique.empty() && graph.num_vertices() > 0) return {0};
   std::sort(clique.begin(), clique.end());
-  for (std::size_t i = 0; i < clique.size(); ++i) {
-    if (clique[i] < 0 || clique[i] >= graph.num_vertices()) {
-      throw std::invalid_argument("initial_clique: " + std::to_string(clique[i]) +
+  std::vector<Word> members(graph.words_per_row(), 0);
+  for (const Index v : clique) {
+    if (v < 0 || v >= graph.num_vertices()) {
+      throw std::invalid_argument("initial_clique: " + std::to_string(v) +
                                   " is no vertex of a graph of " +
                                   std::to_string(graph.num_vertices()));
     }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!graph.has_edge(clique[j], clique[i])) {
-        throw std::invalid_argument("initial_clique: {" + std::to_string(clique[j]) + ", " +
-                                    std::to_string(clique[i]) + "} is no edge");
-      }
+    const Word* row = graph.row(v).data();
+    for (Index w = 0; w < graph.words_per_row(); ++w) {
+      if ((members[w] & ~row[w]) == 0) continue;
+      const Index u = w * kBitsPerWord + std::countr_zero(members[w] & ~row[w]);
+      throw std::invalid_argument("initial_clique: {" + std::to_string(u) + ", " +
+                                  std::to_string(v) + "} is no edge");
     }
+    set_bit(members.data(), v);
   }
   return clique;
 }
@@ -74,11 +77,11 @@ class Solver {
   void bound_by_colors() {
     std::vector<Word> all(graph_.words_per_row, 0);
     for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(all.data(), v);
-    lower_bound_to(color_greedily(graph_, all, incumbent_.clique()).num_colors);
+    lower_bound_to(color_greedily(graph_, all, incumbent_.clique(), &budget_).num_colors);
   }
 
   void bound_by_cores() {
-    cores_ = degeneracy_order(graph_);
+    cores_ = degeneracy_order(graph_, &budget_);
     lower_bound_to(cores_.degeneracy + 1);
     // Starts of high core number that no clique so far contains.
     std::vector<char> covered(graph_.num_vertices, 0);
@@ -106,7 +109,7 @@ class Solver {
       return;
     }
     PackedGraph packed;
-    packed.assign(graph_, survivors);
+    if (!packed.assign(graph_, survivors, &budget_)) return;
     std::vector<Index> core(survivors.size());
     std::vector<Index> number(graph_.num_vertices, -1);
     for (Index i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clique/bit_rows.hpp"
+#include "clique/search_budget.hpp"
 
 namespace gmcr {
 
@@ -13,8 +14,10 @@ class PackedGraph {
  public:
   /// Becomes the subgraph of `graph` that `vertices` induce; vertex i of it is `vertices[i]`.
   /// @param vertices  distinct vertices of `graph`, in any order.
+  /// @param budget    null: none.
+  /// @return false where the budget ended before the edges were all there.
   /// Cost O(k min(k, n / 64 + d)) for k vertices of n with d neighbours each.
-  void assign(RowsView graph, std::span<const Index> vertices);
+  bool assign(RowsView graph, std::span<const Index> vertices, SearchBudget* budget = nullptr);
 
   Index num_vertices() const { return static_cast<Index>(vertices_.size()); }
   Index words_per_row() const { return words_per_row_; }
@@ -25,8 +28,8 @@ class PackedGraph {
   Index original(Index v) const { return vertices_[v]; }
 
  private:
-  void copy_set_bits(RowsView graph);
-  void copy_bit_by_bit(RowsView graph);
+  bool copy_set_bits(RowsView graph, SearchBudget* budget);
+  bool copy_bit_by_bit(RowsView graph, SearchBudget* budget);
 
   Index words_per_row_ = 0;
   std::vector<Index> vertices_;

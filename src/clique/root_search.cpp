@@ -37,10 +37,10 @@ std::vector<Branch> RootSearch::choose_branches() {
   for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(alive.data(), v);
   drop_hopeless(alive);
   BranchSelector selector;
-  selector.reset(graph_);
+  selector.reset(graph_, budget_);
   std::vector<Branch> seeded, plain;
   selector.select(alive.data(), incumbent_.to_beat(), seeded, incumbent_.clique());
-  if (seeded.empty()) return seeded;
+  if (seeded.empty() || budget_.spent()) return seeded;
   selector.select(alive.data(), incumbent_.to_beat(), plain);
   return plain.size() < seeded.size() ? plain : seeded;
 }
@@ -53,15 +53,15 @@ void RootSearch::drop_hopeless(std::vector<Word>& vertices) const {
 
 Index RootSearch::solve_subproblem(Index vertex, std::span<const Word> candidates) {
   const Index to_beat = incumbent_.to_beat() - 1;
-  if (count_bits(candidates.data(), graph_.words_per_row) <= to_beat ||
-      colors_with(graph_, candidates, to_beat, scratch_)) {
+  const Index num_candidates = count_bits(candidates.data(), graph_.words_per_row);
+  if (num_candidates <= to_beat || colors_with(graph_, candidates, to_beat, scratch_, &budget_)) {
     return to_beat;
   }
   std::vector<Index> members;
   for_each_bit(candidates.data(), graph_.words_per_row, [&](Index v) { members.push_back(v); });
-  neighborhood_.assign(graph_, members);
+  if (!neighborhood_.assign(graph_, members, &budget_)) return num_candidates;
   const std::vector<Index> survivors = surviving_vertices(to_beat);
-  ordered_.assign(neighborhood_.view(), survivors);
+  if (!ordered_.assign(neighborhood_.view(), survivors, &budget_)) return num_candidates;
   const auto outcome = branch_and_bound_.search(ordered_.view(), to_beat, budget_);
   if (!outcome.clique.empty()) {
     std::vector<Index> clique{vertex};
@@ -74,7 +74,7 @@ Index RootSearch::solve_subproblem(Index vertex, std::span<const Word> candidate
 }
 
 std::vector<Index> RootSearch::surviving_vertices(Index to_beat) {
-  const Degeneracy cores = degeneracy_order(neighborhood_.view());
+  const Degeneracy cores = degeneracy_order(neighborhood_.view(), &budget_);
   std::vector<Index> survivors;
   for (auto v = cores.order.rbegin(); v != cores.order.rend(); ++v) {
     if (cores.core[*v] >= to_beat) survivors.push_back(*v);

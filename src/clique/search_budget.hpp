@@ -18,12 +18,18 @@ class SearchBudget {
   bool spend_node(Index num_words) {
     if (spent_ || nodes_ >= max_nodes_) return !(spent_ = true);
     ++nodes_;
+    return spend_work(num_words);
+  }
+
+  /// Takes about `num_words` word operations; loops that may last call it now and then.
+  /// @return false where the budget is spent; from then on always.
+  bool spend_work(Index num_words) {
     words_since_poll_ += num_words;
     if (words_since_poll_ >= kWordsPerPoll) {
       words_since_poll_ = 0;
-      if (out_of_time()) return false;
+      out_of_time();
     }
-    return true;
+    return !spent_;
   }
 
   /// Reads the clock.

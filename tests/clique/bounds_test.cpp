@@ -95,7 +95,8 @@ RC_GTEST_PROP(BranchSelector, LeavesNoLargeCliqueOutsideItsBranches, ()) {
   const BitsetGraph graph = test::arbitrary_graph(0, 16, 100);
   const Index max_pruned = test::uniform_in(0, 12);
   BranchSelector selector;
-  selector.reset(graph);
+  SearchBudget budget(1e9, 0);
+  selector.reset(graph, budget);
   std::vector<Branch> branches;
   const bool is_clique = selector.select(all_vertices(graph).data(), max_pruned, branches);
   const Index n = graph.num_vertices();

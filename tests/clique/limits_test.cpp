@@ -2,9 +2,12 @@
 
 #include <chrono>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "clique/branch_and_bound.hpp"
+#include "clique/coloring.hpp"
+#include "clique/degeneracy.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
 #include "gmcr/clique.hpp"
@@ -93,6 +96,66 @@ TEST(CliqueLimits, TimeLimitEndsAHardSearch) {
   EXPECT_FALSE(result.proven_optimal);
   EXPECT_GT(result.upper_bound, static_cast<Index>(result.vertices.size()));
   EXPECT_LT(elapsed.count(), 5.0);
+}
+
+/// Vertices that agree unless both are poor, as the pairs of many right correspondences do: nearly
+/// complete, with a large clique that no cheap bound proves.
+BitsetGraph nearly_complete_graph(Index num_vertices, double exponent, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<double> poorness(num_vertices);
+  for (double& p : poorness) p = std::pow(uniform(generator), exponent);
+  BitsetGraph graph(num_vertices);
+  for (Index u = 0; u < num_vertices; ++u) {
+    for (Index v = 0; v < u; ++v) {
+      if (uniform(generator) >= poorness[u] * poorness[v]) graph.add_edge(u, v);
+    }
+  }
+  return graph;
+}
+
+TEST(CliqueLimits, TimeLimitEndsTheColouringOfALargeNearlyCompleteGraph) {
+  const BitsetGraph graph = nearly_complete_graph(6000, 16, 15);
+  CliqueOptions options;
+  options.time_limit = 0.5;
+  const auto start = std::chrono::steady_clock::now();
+  const CliqueResult result = max_clique(graph, options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), 2.0);
+  EXPECT_TRUE(test::is_ascending_clique(graph, result.vertices));
+  EXPECT_GE(result.upper_bound, static_cast<Index>(result.vertices.size()));
+  EXPECT_LT(result.upper_bound, graph.num_vertices());
+}
+
+TEST(CliqueLimits, WithoutNodesALargeNearlyCompleteGraphIsBoundedSoon) {
+  const BitsetGraph graph = nearly_complete_graph(3000, 16, 16);
+  CliqueOptions options;
+  options.max_nodes = 0;
+  const auto start = std::chrono::steady_clock::now();
+  const CliqueResult result = max_clique(graph, options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), 3.0);
+  EXPECT_LE(static_cast<double>(result.upper_bound),
+            1.1 * static_cast<double>(result.vertices.size()));
+}
+
+TEST(CliqueLimits, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
+  const Index n = 90;
+  const BitsetGraph graph = test::random_graph(n, 0.8, 17);
+  const Index clique_number = test::cliquer_clique_number(graph);
+  SearchBudget spent(0, 0);
+  spent.out_of_time();
+  const std::vector<Word> all{~Word{0}, (Word{1} << (n - 64)) - 1};
+  const Coloring coloring = color_greedily(graph, all, {}, &spent);
+  EXPECT_EQ(coloring.order.size(), 90u);
+  EXPECT_EQ(coloring.color.back(), coloring.num_colors - 1);
+  EXPECT_GE(coloring.num_colors, clique_number);
+  const Degeneracy bounds = degeneracy_order(graph, &spent), exact = degeneracy_order(graph);
+  EXPECT_EQ(bounds.order.size(), 90u);
+  EXPECT_GE(bounds.degeneracy, exact.degeneracy);
+  for (Index v = 0; v < n; ++v) EXPECT_GE(bounds.core[v], exact.core[v]) << v;
+  const auto outcome = BranchAndBound().search(graph, 3, spent);
+  EXPECT_GE(outcome.upper_bound, clique_number);
 }
 
 TEST(CliqueLimits, MustExceedProvesThatNoLargerCliqueExists) {
