@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "frontend/shapes.hpp"
@@ -27,6 +28,9 @@ struct BadOption {
   const char* field;
   std::function<void(FrontendOptions&)> spoil;
 };
+
+/// Names the test case.
+void PrintTo(const BadOption& option, std::ostream* out) { *out << option.field; }
 
 class BadFrontendOption : public ::testing::TestWithParam<BadOption> {};
 
