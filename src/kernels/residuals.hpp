@@ -8,9 +8,9 @@
 namespace gmcr::kernels {
 
 /// Squared residuals |b_i - (s R a_i + t)|^2.
-/// @param source, target  3 x N, metres.
-/// @param squared         N values, square metres.
-void squared_residuals(const Similarity& target_from_source, const PointsRef& source,
-                       const PointsRef& target, Eigen::Ref<Eigen::ArrayXd> squared);
+/// @param source, target  N x 3, metres.
+/// @return N values, square metres.
+Eigen::ArrayXd squared_residuals(const Similarity& target_from_source,
+                                 const Eigen::MatrixX3d& source, const Eigen::MatrixX3d& target);
 
 }  // namespace gmcr::kernels

@@ -13,7 +13,10 @@ bool is_better(const Hypothesis& a, const Hypothesis& b) {
 
 Objective::Objective(const Correspondences& correspondences, Evidence evidence,
                      std::size_t max_bytes)
-    : correspondences_(correspondences), squared_bounds_(correspondences.bounds.square()) {
+    : correspondences_(correspondences),
+      source_(correspondences.source.transpose()),
+      target_(correspondences.target.transpose()),
+      squared_bounds_(correspondences.bounds.square()) {
   if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes);
 }
 
@@ -22,9 +25,7 @@ double Objective::weight(Index i, double scale) const {
 }
 
 std::vector<Index> Objective::within(const Similarity& target_from_source, double factor) const {
-  Eigen::ArrayXd squared(correspondences_.size());
-  kernels::squared_residuals(target_from_source, correspondences_.source, correspondences_.target,
-                             squared);
+  const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
   std::vector<Index> indices;
   for (Index i = 0; i < squared.size(); ++i) {
     if (squared[i] <= factor * factor * squared_bounds_[i]) indices.push_back(i);
@@ -35,9 +36,7 @@ std::vector<Index> Objective::within(const Similarity& target_from_source, doubl
 Hypothesis Objective::judge(const Similarity& target_from_source) const {
   Hypothesis hypothesis;
   hypothesis.target_from_source = target_from_source;
-  Eigen::ArrayXd squared(correspondences_.size());
-  kernels::squared_residuals(target_from_source, correspondences_.source, correspondences_.target,
-                             squared);
+  const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
   for (Index i = 0; i < squared.size(); ++i) {
     const double relative = squared[i] / squared_bounds_[i];
     hypothesis.quadratic += std::min(relative, 1.0);

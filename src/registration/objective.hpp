@@ -46,6 +46,7 @@ class Objective {
 
  private:
   const Correspondences& correspondences_;
+  Eigen::MatrixX3d source_, target_;
   Eigen::ArrayXd squared_bounds_;
   std::optional<DistinctEvidence> distinct_;
 };

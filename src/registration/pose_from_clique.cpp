@@ -11,7 +11,7 @@ namespace gmcr {
 namespace {
 
 constexpr std::size_t kMaxMembers = 64;
-constexpr std::size_t kMaxTims = 256;
+constexpr std::size_t kMaxTims = 128;
 constexpr std::uint64_t kMaxCliqueNodes = 10'000;
 
 /// The longest TIMs among up to kMaxMembers members of the clique, spread evenly over it.

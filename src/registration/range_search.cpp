@@ -1,15 +1,48 @@
 #include "registration/range_search.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "clique/bit_rows.hpp"
+#include "clique/degeneracy.hpp"
 #include "clique/greedy.hpp"
 #include "consensus/consistency_graph.hpp"
 #include "registration/local_optimisation.hpp"
 #include "registration/pose_from_clique.hpp"
 
 namespace gmcr {
+namespace {
+
+/// A vertex to grow a clique from.
+struct Start {
+  Index vertex = 0;
+  Index core = 0;
+  double evidence_bound = 0;  ///< no clique with the vertex has more evidence
+};
+
+/// All vertices, by descending core number.
+std::vector<Start> list_starts(PoseSearch& search, const RangeGraph& range) {
+  const StageTimer timer(search.context(), "clique");
+  const std::vector<Index> core = degeneracy_order(range.graph).core;
+  const Index n = range.graph.num_vertices();
+  Eigen::ArrayXd weights(n);
+  // weights grow with the scale, so those at the end of the range bound the others
+  for (Index i = 0; i < n; ++i) weights[i] = search.objective().weight(i, range.scales.max);
+  std::vector<Start> starts;
+  for (Index v = 0; v < n; ++v) {
+    const auto row = range.graph.row(v);
+    double around = weights[v];
+    for_each_bit(row.data(), static_cast<Index>(row.size()),
+                 [&](Index u) { around += weights[u]; });
+    const Index core_of_v = core[static_cast<std::size_t>(v)];
+    starts.push_back({v, core_of_v, std::min(around, static_cast<double>(core_of_v + 1))});
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.core > b.core; });
+  return starts;
+}
+
+}  // namespace
 
 PoseSearch::PoseSearch(SolveContext& context, const Objective& objective, const ScaleRange& scales)
     : context_(context),
@@ -33,30 +66,24 @@ void PoseSearch::offer(const std::vector<Index>& clique) {
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
   const StageTimer timer(search.context(), "graph");
   ++search.context().diagnostics().num_scale_ranges;
-  RangeGraph range;
-  range.graph = consistency_graph(search.arrays(), scales, search.context().options().num_threads);
-  range.degeneracy = degeneracy_order(range.graph);
-  return range;
+  return {scales,
+          consistency_graph(search.arrays(), scales, search.context().options().num_threads)};
 }
 
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {
-  const std::vector<Index>& core = range.degeneracy.core;
-  std::vector<Index> starts(core.size());
-  std::iota(starts.begin(), starts.end(), Index{0});
-  std::stable_sort(starts.begin(), starts.end(), [&](Index u, Index v) {
-    return core[static_cast<std::size_t>(u)] > core[static_cast<std::size_t>(v)];
-  });
-  std::vector<bool> covered(core.size(), false);
+  const std::vector<Start> starts = list_starts(search, range);
+  std::vector<Index> priority(starts.size());
+  for (const Start& start : starts) priority[static_cast<std::size_t>(start.vertex)] = start.core;
+  std::vector<bool> covered(starts.size(), false);
   Index num_starts = 0;
-  for (const Index start : starts) {
-    const bool can_win =
-        static_cast<double>(core[static_cast<std::size_t>(start)] + 1) > search.best_evidence();
-    if (num_starts == max_starts || !can_win || search.context().stopped()) return;
-    if (covered[static_cast<std::size_t>(start)]) continue;
+  for (const Start& start : starts) {
+    if (num_starts == max_starts || search.context().stopped()) return;
+    if (covered[static_cast<std::size_t>(start.vertex)]) continue;
+    if (start.evidence_bound <= search.best_evidence()) continue;
     ++num_starts;
     const std::vector<Index> clique = [&] {
       const StageTimer timer(search.context(), "clique");
-      return greedy_clique_by_candidates(range.graph, start, core);
+      return greedy_clique_by_candidates(range.graph, start.vertex, priority);
     }();
     for (const Index v : clique) covered[static_cast<std::size_t>(v)] = true;
     search.offer(clique);
@@ -64,7 +91,6 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
 }
 
 Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes) {
-  if (range.core_bound() <= search.max_inliers()) return search.max_inliers();
   CliqueOptions clique_options;
   clique_options.max_nodes = max_nodes;
   clique_options.must_exceed = search.max_inliers();
@@ -75,7 +101,7 @@ Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::ui
   if (static_cast<Index>(clique.vertices.size()) > search.max_inliers()) {
     search.offer(clique.vertices);
   }
-  return std::min(range.core_bound(), clique.upper_bound);
+  return clique.upper_bound;
 }
 
 }  // namespace gmcr

@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "clique/degeneracy.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "kernels/consistency_row.hpp"
@@ -44,25 +43,21 @@ class PoseSearch {
   std::set<std::vector<Index>> examined_;
 };
 
-/// The consistency graph of a range of scales with its core numbers.
+/// The consistency graph of a range of scales.
 struct RangeGraph {
+  ScaleRange scales;
   BitsetGraph graph;
-  Degeneracy degeneracy;
-
-  /// L5: no pose with a scale in the range has more inliers.
-  Index core_bound() const { return graph.num_vertices() == 0 ? 0 : degeneracy.degeneracy + 1; }
 };
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 
 /// Offers greedy maximal cliques grown from the vertices of largest core number that no earlier one
-/// covers, as long as a clique there could beat the best evidence.
+/// covers, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
 
 /// Searches the range's graph for a clique larger than the most inliers so far and offers it.
 /// @return proven upper bound on the number of inliers of poses in the range, or `max_inliers()`
-/// where
-///   none can have more.
+///   where none can have more.
 Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes);
 
 }  // namespace gmcr

@@ -109,15 +109,13 @@ std::vector<Index> top_modes(const std::vector<double>& evidence) {
 }
 
 /// L7: candidate cliques at the scales of most evidence.
-void explore_modes(PoseSearch& search, const ScaleBins& bins, const ScaleVotes& votes,
-                   const std::vector<Index>& bounds) {
+void explore_modes(PoseSearch& search, const ScaleBins& bins, const ScaleVotes& votes) {
   for (const Index bin : top_modes(votes.evidence)) {
-    const auto bound = static_cast<double>(bounds[static_cast<std::size_t>(bin)]);
-    if (bound <= search.best_evidence()) continue;
+    // evidence W among consistent pairs casts votes of at least W (W - 1) / 2
+    const double votes_of_bin = votes.evidence[static_cast<std::size_t>(bin)];
+    if ((1 + std::sqrt(1 + 8 * votes_of_bin)) / 2 <= search.best_evidence()) continue;
     if (search.context().stopped()) return;
-    const RangeGraph graph = build_range_graph(search, bins[bin]);
-    if (static_cast<double>(graph.core_bound()) <= search.best_evidence()) continue;
-    grow_cliques(search, graph, kMaxStarts);
+    grow_cliques(search, build_range_graph(search, bins[bin]), kMaxStarts);
   }
 }
 
@@ -134,7 +132,7 @@ Index search_scales(PoseSearch& search) {
   const ScaleVotes votes = vote(search, bins);
   std::vector<Index> bounds;
   for (const Index pairs : votes.pairs) bounds.push_back(max_members(pairs));
-  explore_modes(search, bins, votes, bounds);
+  explore_modes(search, bins, votes);
   return bound_scales(search, bins, bounds);
 }
 
