@@ -4,6 +4,8 @@
 #include <string>
 
 #include "clique/coloring.hpp"
+#include "clique/complement.hpp"
+#include "clique/complement_search.hpp"
 #include "clique/degeneracy.hpp"
 #include "clique/greedy.hpp"
 #include "clique/root_search.hpp"
@@ -122,7 +124,9 @@ class Solver {
       if (number[v] >= 0) known.push_back(number[v]);
     }
     Incumbent packed_incumbent(std::move(known), incumbent_.to_beat());
-    lower_bound_to(RootSearch(packed.view(), core, packed_incumbent, budget_).run());
+    lower_bound_to(is_nearly_complete(packed.view())
+                       ? ComplementSearch(packed.view(), packed_incumbent, budget_).run()
+                       : RootSearch(packed.view(), core, packed_incumbent, budget_).run());
     std::vector<Index> clique;
     for (const Index v : packed_incumbent.clique()) clique.push_back(packed.original(v));
     incumbent_.offer(std::move(clique));

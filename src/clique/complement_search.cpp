@@ -1,0 +1,82 @@
+#include "clique/complement_search.hpp"
+
+#include "clique/coloring.hpp"
+#include "clique/complement.hpp"
+#include "clique/degeneracy.hpp"
+#include "clique/local_search.hpp"
+
+namespace gmcr {
+namespace {
+
+// Steps of the local search a pair that is no edge: enough to level off on noisy inliers.
+constexpr Index kSwapWorkPerMissing = 64;
+
+Index num_missing(RowsView graph) {
+  const Index n = graph.num_vertices;
+  return n * (n - 1) - count_bits(graph.words, n * graph.words_per_row);
+}
+
+}  // namespace
+
+Index ComplementSearch::run() {
+  const ComplementKernel kernel = reduce_by_complement(graph_, budget_);
+  std::vector<char> is_known(graph_.num_vertices, 0);
+  for (const Index v : incumbent_.clique()) is_known[v] = 1;
+  std::vector<Part> parts;
+  Index bound = static_cast<Index>(kernel.taken.size());
+  for (const std::vector<Index>& vertices : kernel.parts) {
+    parts.push_back(prepare(vertices, is_known));
+    bound += parts.back().bound;
+  }
+  const auto offer = [&] {
+    std::vector<Index> clique = kernel.taken;
+    for (const Part& part : parts) {
+      for (const Index v : part.clique) clique.push_back(part.graph.original(v));
+    }
+    incumbent_.offer(std::move(clique));
+  };
+  offer();
+  for (Part& part : parts) {
+    if (bound <= incumbent_.to_beat() || budget_.spent()) break;
+    bound -= part.bound;
+    search(part, std::max<Index>(0, incumbent_.to_beat() - bound));
+    bound += part.bound;
+    offer();
+  }
+  return bound;
+}
+
+ComplementSearch::Part ComplementSearch::prepare(const std::vector<Index>& vertices,
+                                                 const std::vector<char>& is_known) {
+  Part part;
+  part.bound = static_cast<Index>(vertices.size());
+  PackedGraph unordered;
+  if (!unordered.assign(graph_, vertices, &budget_)) return part;
+  const Degeneracy cores = degeneracy_order(unordered.view(), &budget_);
+  std::vector<Index> order;
+  for (auto v = cores.order.rbegin(); v != cores.order.rend(); ++v) {
+    order.push_back(unordered.original(*v));
+    part.core.push_back(cores.core[*v]);
+  }
+  if (!part.graph.assign(graph_, order, &budget_)) return part;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (is_known[order[i]]) part.clique.push_back(static_cast<Index>(i));
+  }
+  const RowsView view = part.graph.view();
+  part.clique =
+      improve_by_swaps(view, part.clique, kSwapWorkPerMissing * num_missing(view), budget_);
+  std::vector<Word> all(view.words_per_row, 0);
+  for (Index v = 0; v < view.num_vertices; ++v) set_bit(all.data(), v);
+  part.bound =
+      std::min(cores.degeneracy + 1, color_greedily(view, all, part.clique, &budget_).num_colors);
+  return part;
+}
+
+void ComplementSearch::search(Part& part, Index must_exceed) {
+  Incumbent incumbent(part.clique, must_exceed);
+  const Index bound = RootSearch(part.graph.view(), part.core, incumbent, budget_).run();
+  part.bound = std::min(part.bound, std::max(bound, incumbent.size()));
+  part.clique = incumbent.clique();
+}
+
+}  // namespace gmcr
