@@ -11,9 +11,10 @@ BitsetGraph graph_from_rows(Index num_vertices, int num_threads, const WriteRow&
   constexpr Index kRowsPerChunk = 64;
   constexpr Index kSmall = 512;  // starting threads would take longer than the rows
   BitsetGraph graph(num_vertices);
-  parallel_for(num_vertices, kRowsPerChunk, num_vertices < kSmall ? 1 : num_threads, [&](Index begin, Index end) {
-    for (Index v = begin; v < end; ++v) write_row(v, graph.mutable_row(v));
-  });
+  parallel_for(num_vertices, kRowsPerChunk, num_vertices < kSmall ? 1 : num_threads,
+               [&](Index begin, Index end) {
+                 for (Index v = begin; v < end; ++v) write_row(v, graph.mutable_row(v));
+               });
   return graph;
 }
 

@@ -22,11 +22,12 @@ struct CorrespondenceArrays {
 bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double scale_min,
                    double scale_max);
 
-/// Which correspondences agree with number `i`, by the instruction set of this machine.
+/// Which correspondences agree with number `i`, by the instruction set of this machine; only the
+/// words from `first_word` on are written.
 /// @param row  (N + 63) / 64 words; bit j is set iff j agrees with i and j != i.
 /// The same bits as the reference on every instruction set. Cost O(N).
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                     double scale_max, std::span<std::uint64_t> row);
+                     double scale_max, std::span<std::uint64_t> row, Index first_word = 0);
 
 /// The same, one pair after the other: the specification of `consistency_row`.
 void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,

@@ -36,7 +36,7 @@ struct PointTo {
 };
 
 void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                       double scale_max, Index num_words, std::uint64_t* row) {
+                       double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
   const Lanes lanes;
   const auto step = static_cast<Index>(hn::Lanes(lanes));
   const PointTo source(arrays.source, i), target(arrays.target, i);
@@ -44,7 +44,7 @@ void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale
   const Vector bound = hn::Set(lanes, bounds[i]), zero = hn::Zero(lanes), four = hn::Set(lanes, 4);
   const Vector max_squared = hn::Set(lanes, scale_max * scale_max);
   const Vector min_squared = hn::Set(lanes, scale_min * scale_min);
-  for (Index word = 0; word < num_words; ++word) {
+  for (Index word = first_word; word < num_words; ++word) {
     std::uint64_t bits = 0;
     for (Index k = 0; k < 64; k += step) {
       const Index j = word * 64 + k;
@@ -75,10 +75,10 @@ namespace gmcr::kernels {
 HWY_EXPORT(consistency_words);
 
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                     double scale_max, std::span<std::uint64_t> row) {
+                     double scale_max, std::span<std::uint64_t> row, Index first_word) {
   const Index num_full_words = arrays.size() / 64;
   HWY_DYNAMIC_DISPATCH(consistency_words)
-  (arrays, i, scale_min, scale_max, num_full_words, row.data());
+  (arrays, i, scale_min, scale_max, first_word, num_full_words, row.data());
   if (num_full_words < static_cast<Index>(row.size())) {
     std::uint64_t bits = 0;
     for (Index j = num_full_words * 64; j < arrays.size(); ++j) {

@@ -14,7 +14,6 @@ constexpr std::uint64_t kMaxNodes = 2'000'000;
 /// Search in the one consistency graph of a known scale.
 Index search_known_scale(PoseSearch& search) {
   const RangeGraph range = build_range_graph(search, search.scales());
-  grow_cliques(search, range, 1);
   const Index upper_bound = search_maximum_clique(search, range, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
   if (static_cast<double>(upper_bound) > search.best_evidence()) {

@@ -13,6 +13,9 @@
 namespace gmcr {
 namespace {
 
+/// Candidates among which a greedy clique looks for the one with most neighbours.
+constexpr Index kMaxCandidates = 256;
+
 /// A vertex to grow a clique from.
 struct Start {
   Index vertex = 0;
@@ -83,7 +86,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
     ++num_starts;
     const std::vector<Index> clique = [&] {
       const StageTimer timer(search.context(), "clique");
-      return greedy_clique_by_candidates(range.graph, start.vertex, priority);
+      return greedy_clique_by_candidates(range.graph, start.vertex, priority, kMaxCandidates);
     }();
     for (const Index v : clique) covered[static_cast<std::size_t>(v)] = true;
     search.offer(clique);
