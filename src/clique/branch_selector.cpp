@@ -161,8 +161,8 @@ bool BranchSelector::find_repair(Index v) {
       return true;
     }
     const Word* conflict_row = graph_.row(conflict);
-    for (Index other = 0; other < num_classes_; ++other) {
-      if (other == c || in_triple_[other]) continue;
+    for (Index other = c + 1; other < num_classes_; ++other) {
+      if (in_triple_[other]) continue;
       repair_words_left_ -= words_;
       const Overlap overlap = overlap_of(color_class(other), conflict_row, row, words_);
       if (overlap == Overlap::WithFirst && triple_1 < 0) {
