@@ -36,7 +36,8 @@ struct CliqueResult {
 /// Bounds from cheap to costly, each of which may settle it: degrees with a greedy clique, a
 /// colouring seeded with that clique, core numbers with more greedy cliques. Then branch and bound
 /// over bit rows on the vertices that a colouring leaves over (Tomita and Seki 2003; Tomita et al.
-/// 2010; San Segundo et al. 2011 and 2015), one neighbourhood after the other.
+/// 2010; San Segundo et al. 2011 and 2015), one neighbourhood after the other. Nearly complete
+/// graphs are first reduced and split on their complement and their clique improved by swaps.
 /// Deterministic: the same graph and options without a time limit give the same vertices.
 /// @throws std::invalid_argument where an option is out of range or `initial_clique` is no clique.
 /// Cost O(E + n^2 / 64) before the search, plus 16 greedy cliques; exponential in the worst case,

@@ -48,12 +48,17 @@ class Solver {
       : graph_(graph),
         incumbent_(checked_clique(graph, options.initial_clique), options.must_exceed),
         budget_(options.time_limit, options.max_nodes),
+        must_exceed_(options.must_exceed),
         upper_bound_(graph.num_vertices()) {}
 
   CliqueResult solve() {
     if (!settled()) bound_by_degrees();
+    // Most likely nothing exceeds a given size: a colouring may show it without any clique.
+    if (!settled() && must_exceed_ > 0) bound_by_colors();
+    if (!settled()) grow_first_clique();
     if (!settled()) bound_by_colors();
     if (!settled()) bound_by_cores();
+    if (!settled()) grow_cliques();
     if (!settled()) search_core();
     CliqueResult result;
     result.vertices = incumbent_.clique();
@@ -68,12 +73,22 @@ class Solver {
   bool settled() { return upper_bound_ <= incumbent_.to_beat() || budget_.out_of_time(); }
   void lower_bound_to(Index bound) { upper_bound_ = std::min(upper_bound_, bound); }
 
+  /// A clique of k + 1 vertices needs as many of degree k or more.
   void bound_by_degrees() {
-    std::vector<Index> degree(graph_.num_vertices);
-    for (Index v = 0; v < graph_.num_vertices; ++v) degree[v] = graph_.degree(v);
-    const auto start = std::max_element(degree.begin(), degree.end());
-    lower_bound_to(*start + 1);
-    incumbent_.offer(greedy_clique_by_candidates(graph_, start - degree.begin(), degree));
+    degree_.resize(graph_.num_vertices);
+    std::vector<Index> num_with_degree(graph_.num_vertices, 0);
+    for (Index v = 0; v < graph_.num_vertices; ++v) {
+      degree_[v] = graph_.degree(v);
+      ++num_with_degree[degree_[v]];
+    }
+    Index degree = graph_.num_vertices - 1, num_at_least = num_with_degree[degree];
+    while (num_at_least <= degree) num_at_least += num_with_degree[--degree];
+    lower_bound_to(degree + 1);
+  }
+
+  void grow_first_clique() {
+    const auto start = std::max_element(degree_.begin(), degree_.end());
+    incumbent_.offer(greedy_clique_by_candidates(graph_, start - degree_.begin(), degree_));
   }
 
   void bound_by_colors() {
@@ -85,6 +100,9 @@ class Solver {
   void bound_by_cores() {
     cores_ = degeneracy_order(graph_, &budget_);
     lower_bound_to(cores_.degeneracy + 1);
+  }
+
+  void grow_cliques() {
     // Starts of high core number that no clique so far contains.
     std::vector<char> covered(graph_.num_vertices, 0);
     int num_starts = 0;
@@ -135,7 +153,9 @@ class Solver {
   RowsView graph_;
   Incumbent incumbent_;
   SearchBudget budget_;
+  Index must_exceed_;
   Index upper_bound_;
+  std::vector<Index> degree_;
   Degeneracy cores_;
 };
 

@@ -101,6 +101,17 @@ TEST(MaxClique, AgreesWithIgraphAndCliquer) {
   }
 }
 
+TEST(MaxClique, OfALargeStarIsBoundedByDegreesAlone) {
+  BitsetGraph star(500);
+  for (Index v = 1; v < 500; ++v) star.add_edge(0, v);
+  CliqueOptions options;
+  options.must_exceed = 2;
+  const CliqueResult result = max_clique(star, options);
+  EXPECT_TRUE(result.proven_optimal);
+  EXPECT_EQ(result.upper_bound, 2);
+  EXPECT_EQ(result.nodes, 0u);
+}
+
 TEST(MaxClique, FindsAPlantedCliqueInALargeSparseGraph) {
   for (const Index size : {20, 60, 250}) {
     BitsetGraph graph = test::random_graph(3000, 0.05, 7);
