@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
@@ -17,6 +18,9 @@ enum class Status {
 };
 
 /// How far the consensus can be from the best possible, in numbers of inliers.
+///
+/// Speaks of the correspondences that were used and, where the scale is estimated, of the scales
+/// that were searched (`Diagnostics::scale_range`).
 struct Certificate {
   Index lower = 0;         ///< achieved by the returned transform
   Index upper = 0;         ///< proven: no transform has more inliers
@@ -34,6 +38,7 @@ struct Diagnostics {
   double total_seconds = 0;
   Index num_correspondences = 0;       ///< in the input
   Index num_used = 0;                  ///< after the one-to-one test
+  ScaleRange scale_range;              ///< scales that were searched; min == max: it was known
   Index num_candidates = 0;            ///< poses judged on all correspondences
   Index num_scale_ranges = 0;          ///< scale ranges whose graph was searched
   std::uint64_t num_clique_nodes = 0;  ///< search nodes of all clique searches

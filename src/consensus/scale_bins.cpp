@@ -50,26 +50,14 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
       static_cast<std::size_t>((n + kRowsPerChunk - 1) / kRowsPerChunk));
   parallel_for(n, kRowsPerChunk, num_threads, [&](Index begin, Index end) {
     VoteChanges changes{std::vector<Index>(num_bins + 1), std::vector<double>(num_bins + 1)};
-    std::vector<double> source(static_cast<std::size_t>(n)), target(source);
-    for (Index i = begin; i < end; ++i) {
-      kernels::pair_lengths(arrays, i, source, target);
-      for (Index j = i + 1; j < n; ++j) {
-        const auto k = static_cast<std::size_t>(j - i - 1);
-        const double bound = arrays.bounds[i] + arrays.bounds[j];
-        // L1; coincident source points agree at every scale or at none
-        const auto [first, last] =
-            source[k] > 0
-                ? bins.covering((target[k] - bound) / source[k], (target[k] + bound) / source[k])
-                : std::pair<Index, Index>{0, target[k] <= bound ? bins.size() - 1 : -1};
-        if (first > last) continue;
-        const Index middle = (first + last) / 2;
-        const double evidence = weight(i, middle) * weight(j, middle);
-        ++changes.pairs[static_cast<std::size_t>(first)];
-        --changes.pairs[static_cast<std::size_t>(last) + 1];
-        changes.evidence[static_cast<std::size_t>(first)] += evidence;
-        changes.evidence[static_cast<std::size_t>(last) + 1] -= evidence;
-      }
-    }
+    for_each_voting_pair(arrays, bins, begin, end, [&](Index i, Index j, Index first, Index last) {
+      const Index middle = (first + last) / 2;
+      const double evidence = weight(i, middle) * weight(j, middle);
+      ++changes.pairs[static_cast<std::size_t>(first)];
+      --changes.pairs[static_cast<std::size_t>(last) + 1];
+      changes.evidence[static_cast<std::size_t>(first)] += evidence;
+      changes.evidence[static_cast<std::size_t>(last) + 1] -= evidence;
+    });
     chunks[static_cast<std::size_t>(begin / kRowsPerChunk)] = std::move(changes);
   });
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "gmcr/options.hpp"
@@ -26,6 +27,27 @@ class ScaleBins {
   double log_min_, log_ratio_;
   Index count_;
 };
+
+/// Calls visit(i, j, first_bin, last_bin) for each pair i < j with i in [begin, end) whose interval
+/// of scales (L1) meets a bin, in order.
+template <typename Visit>
+void for_each_voting_pair(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+                          Index begin, Index end, const Visit& visit) {
+  std::vector<double> source(static_cast<std::size_t>(arrays.size())), target(source);
+  for (Index i = begin; i < end; ++i) {
+    kernels::pair_lengths(arrays, i, source, target);
+    for (Index j = i + 1; j < arrays.size(); ++j) {
+      const double a = source[static_cast<std::size_t>(j - i - 1)];
+      const double b = target[static_cast<std::size_t>(j - i - 1)];
+      const double bound = arrays.bounds[i] + arrays.bounds[j];
+      // coincident source points agree at every scale or at none
+      const auto [first, last] =
+          a > 0 ? bins.covering((b - bound) / a, (b + bound) / a)
+                : std::pair<Index, Index>{0, b <= bound ? bins.size() - 1 : -1};
+      if (first <= last) visit(i, j, first, last);
+    }
+  }
+}
 
 /// How much evidence votes for each bin.
 struct ScaleVotes {

@@ -66,11 +66,17 @@ void PoseSearch::offer(const std::vector<Index>& clique) {
   }
 }
 
-RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
+                             const std::function<BitsetGraph()>& build) {
   const StageTimer timer(search.context(), "graph");
   ++search.context().diagnostics().num_scale_ranges;
-  return {scales,
-          consistency_graph(search.arrays(), scales, search.context().options().num_threads)};
+  return {scales, build()};
+}
+
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
+  return build_range_graph(search, scales, [&] {
+    return consistency_graph(search.arrays(), scales, search.context().options().num_threads);
+  });
 }
 
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -49,6 +50,11 @@ struct RangeGraph {
   BitsetGraph graph;
 };
 
+/// @param build  returns the graph; its time is that of the stage "graph".
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
+                             const std::function<BitsetGraph()>& build);
+
+/// The same from all pairs.
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 
 /// Offers greedy maximal cliques grown from the vertices of largest core number that no earlier one

@@ -154,6 +154,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
   }
   const ScaleRange scales = scales_to_search(options, centred);
+  diagnostics.scale_range = scales;
   const MethodResult found = options.method == Method::Gmcr ? solve_gmcr(context, objective, scales)
                                                             : solve_paper(context, centred, scales);
   if (found.target_from_source) {

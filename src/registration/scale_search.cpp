@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
+#include <utility>
 
+#include "consensus/binned_pairs.hpp"
 #include "consensus/scale_bins.hpp"
 #include "registration/certificate.hpp"
 
@@ -18,10 +21,14 @@ constexpr Index kMaxModes = 40;
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
 
+constexpr std::size_t kMaxListBytes = std::size_t{1} << 28;  // of the pairs of each bin
+constexpr Index kNoBin = -1;
+
 /// A range of scales and the most inliers that a pose in it can have.
 struct BoundedRange {
   ScaleRange scales;
   Index bound = 0;
+  Index bin = kNoBin;  ///< the bin that the range is, if it is one
   bool searched = false;
 
   bool operator<(const BoundedRange& other) const {
@@ -30,8 +37,19 @@ struct BoundedRange {
   }
 };
 
+/// The bins and what the pairs say of them.
+struct VotedBins {
+  ScaleBins bins;
+  ScaleVotes votes;
+  std::optional<BinnedPairs> pairs;  ///< where they fit into memory
+
+  RangeGraph graph(PoseSearch& search, Index bin) const {
+    if (!pairs) return build_range_graph(search, bins[bin]);
+    return build_range_graph(search, bins[bin], [&] { return pairs->graph(bin); });
+  }
+};
+
 ScaleVotes vote(PoseSearch& search, const ScaleBins& bins) {
-  const StageTimer timer(search.context(), "scale_votes");
   // the weights change slowly with the scale: one table entry serves several bins
   constexpr Index kBinsPerEntry = 16;
   const Index n = search.arrays().size(), num_entries = (bins.size() - 1) / kBinsPerEntry + 1;
@@ -46,6 +64,14 @@ ScaleVotes vote(PoseSearch& search, const ScaleBins& bins) {
       search.context().options().num_threads);
 }
 
+VotedBins vote(PoseSearch& search) {
+  const StageTimer timer(search.context(), "scale_votes");
+  const ScaleBins bins(search.scales(), kBinRatio);
+  ScaleVotes votes = vote(search, bins);
+  auto pairs = BinnedPairs::make(search.arrays(), bins, votes, kMaxListBytes);
+  return {bins, std::move(votes), std::move(pairs)};
+}
+
 /// The two halves of a range, of equal ratio, with the bound of the whole.
 std::pair<BoundedRange, BoundedRange> halves(const BoundedRange& range) {
   const double middle = std::sqrt(range.scales.min * range.scales.max);
@@ -53,13 +79,14 @@ std::pair<BoundedRange, BoundedRange> halves(const BoundedRange& range) {
 }
 
 /// Branch and bound over the scale. @return upper bound on the inliers of any pose.
-Index bound_scales(PoseSearch& search, const ScaleBins& bins, const std::vector<Index>& bounds) {
+Index bound_scales(PoseSearch& search, const VotedBins& voted) {
   std::vector<BoundedRange> ranges;
-  for (Index bin = 0; bin < bins.size(); ++bin) {
-    ranges.push_back({bins[bin], bounds[static_cast<std::size_t>(bin)]});
+  for (Index bin = 0; bin < voted.bins.size(); ++bin) {
+    const Index num_pairs = voted.votes.pairs[static_cast<std::size_t>(bin)];
+    ranges.push_back({voted.bins[bin], max_members(num_pairs), bin});
   }
   std::priority_queue<BoundedRange> queue({}, std::move(ranges));
-  const Index max_ranges = 2 * bins.size();
+  const Index max_ranges = 2 * voted.bins.size();
   for (Index searched = 0; !queue.empty() && queue.top().bound > search.max_inliers();) {
     BoundedRange range = queue.top();
     if (searched == max_ranges) {
@@ -75,7 +102,8 @@ Index bound_scales(PoseSearch& search, const ScaleBins& bins, const std::vector<
       queue.push(upper);
       continue;
     }
-    const RangeGraph graph = build_range_graph(search, range.scales);
+    const RangeGraph graph = range.bin == kNoBin ? build_range_graph(search, range.scales)
+                                                 : voted.graph(search, range.bin);
     range.bound = std::min(range.bound, search_maximum_clique(search, graph, kMaxNodes));
     range.searched = true;
     queue.push(range);
@@ -109,13 +137,13 @@ std::vector<Index> top_modes(const std::vector<double>& evidence) {
 }
 
 /// L7: candidate cliques at the scales of most evidence.
-void explore_modes(PoseSearch& search, const ScaleBins& bins, const ScaleVotes& votes) {
-  for (const Index bin : top_modes(votes.evidence)) {
+void explore_modes(PoseSearch& search, const VotedBins& voted) {
+  for (const Index bin : top_modes(voted.votes.evidence)) {
     // evidence W among consistent pairs casts votes of at least W (W - 1) / 2
-    const double votes_of_bin = votes.evidence[static_cast<std::size_t>(bin)];
+    const double votes_of_bin = voted.votes.evidence[static_cast<std::size_t>(bin)];
     if ((1 + std::sqrt(1 + 8 * votes_of_bin)) / 2 <= search.best_evidence()) continue;
     if (search.context().stopped()) return;
-    grow_cliques(search, build_range_graph(search, bins[bin]), kMaxStarts);
+    grow_cliques(search, voted.graph(search, bin), kMaxStarts);
   }
 }
 
@@ -128,12 +156,9 @@ ScaleRange default_scale_range(const Correspondences& correspondences) {
 }
 
 Index search_scales(PoseSearch& search) {
-  const ScaleBins bins(search.scales(), kBinRatio);
-  const ScaleVotes votes = vote(search, bins);
-  std::vector<Index> bounds;
-  for (const Index pairs : votes.pairs) bounds.push_back(max_members(pairs));
-  explore_modes(search, bins, votes);
-  return bound_scales(search, bins, bounds);
+  const VotedBins voted = vote(search);
+  explore_modes(search, voted);
+  return bound_scales(search, voted);
 }
 
 }  // namespace gmcr

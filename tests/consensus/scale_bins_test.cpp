@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "consensus/binned_pairs.hpp"
 #include "consensus/consistency_graph.hpp"
 #include "random_geometry.hpp"
 
@@ -62,6 +63,38 @@ TEST(ScaleVotes, CountTheEdgesOfEachBinsGraph) {
     EXPECT_LE(pairs, edges + 1);
     EXPECT_NEAR(votes.evidence[static_cast<std::size_t>(bin)], static_cast<double>(pairs), 1e-6);
   }
+}
+
+TEST(BinnedPairs, GiveTheGraphOfEachBin) {
+  testing::RandomGeometry random(4);
+  const Index n = 120;
+  const Correspondences c{random.in_cube(n), random.in_cube(n, 1.0),
+                          Eigen::ArrayXd::Constant(n, 0.02)};
+  const auto arrays = consistency_arrays(c, 20);
+  const ScaleBins bins({0.05, 20}, 1.2);
+  const ScaleVotes votes = count_scale_votes(
+      arrays, bins, [](Index, Index) { return 1.0; }, 1);
+  const auto binned = BinnedPairs::make(arrays, bins, votes, std::size_t{1} << 24);
+  ASSERT_TRUE(binned);
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    const BitsetGraph listed = binned->graph(bin);
+    const BitsetGraph all = consistency_graph(arrays, bins[bin], 1);
+    EXPECT_EQ(listed.num_edges(), votes.pairs[static_cast<std::size_t>(bin)]);
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < n; ++j) EXPECT_LE(all.has_edge(i, j), listed.has_edge(i, j));
+    }
+  }
+}
+
+TEST(BinnedPairs, AreNotMadeWhereTheyDoNotFit) {
+  const Correspondences c{Points::Zero(3, 3), Points::Zero(3, 3), Eigen::ArrayXd::Ones(3)};
+  const auto arrays = consistency_arrays(c, 2);
+  const ScaleBins bins({1, 1}, 1.1);
+  const ScaleVotes votes = count_scale_votes(
+      arrays, bins, [](Index, Index) { return 1.0; }, 1);
+  EXPECT_EQ(votes.pairs[0], 3);
+  EXPECT_TRUE(BinnedPairs::make(arrays, bins, votes, 24));
+  EXPECT_FALSE(BinnedPairs::make(arrays, bins, votes, 23));
 }
 
 TEST(ScaleVotes, WeighAPairByBothWeights) {
