@@ -7,10 +7,10 @@
 namespace gmcr {
 namespace {
 
-// Mutual matches that agree in the results kept: at most 10 of 23 unrelated real pairs, at least
-// 38 of 34 right ones.
+// Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones of
+// surfaces that overlap well.
 constexpr Index kChanceInliers = 12;
-constexpr Index kTrustedInliers = 20;
+constexpr Index kTrustedInliers = 30;
 // Shares of a cloud that the other covers.
 constexpr double kLeastCoverage = 0.2;
 constexpr double kPlausibleCoverage = 0.5;

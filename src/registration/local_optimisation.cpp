@@ -87,13 +87,14 @@ Hypothesis optimise_locally(const Objective& objective, const ScaleRange& scales
   return to_fixed_point(objective, scales, std::move(best));
 }
 
-Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best) {
+Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best,
+                          double must_exceed) {
   constexpr double kReach = 1.5;
   constexpr int kMaxGivenUp = 10;
   std::vector<Index> indices = objective.within(best.target_from_source, kReach);
   for (int given_up = 0; given_up <= kMaxGivenUp; ++given_up) {
     const double scale = best.target_from_source.scale;
-    if (evidence_of(objective, indices, scale) <= best.evidence) break;
+    if (evidence_of(objective, indices, scale) <= std::max(best.evidence, must_exceed)) break;
     auto [next, heaviest] = equalise(objective, scales, indices, std::move(best));
     best = std::move(next);
     indices.erase(indices.begin() + heaviest);

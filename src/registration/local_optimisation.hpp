@@ -17,7 +17,9 @@ Hypothesis optimise_locally(const Objective& objective, const ScaleRange& scales
 /// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the
 /// worst residuals up, iteration by iteration, approach the pose of least largest residual (Lawson
 /// 1961); the correspondence that holds it back most is given up, and so on.
+/// @param must_exceed  evidence of a rival: nothing is tried where all within reach give no more.
 /// @return never worse than `best` by the objective.
-Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best);
+Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best,
+                          double must_exceed = 0);
 
 }  // namespace gmcr

@@ -58,12 +58,10 @@ void PoseSearch::offer(const std::vector<Index>& clique) {
   if (!examined_.insert(clique).second) return;
   std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, scales_, clique);
   if (!pose) return;
-  if (!best_ || is_better(*pose, *best_)) {
-    best_ = reach_for_more(objective_, scales_, std::move(*pose));
-    max_inliers_ = std::max(max_inliers_, best_->num_inliers());
-  } else {
-    max_inliers_ = std::max(max_inliers_, pose->num_inliers());
-  }
+  // a rival is measured by what it can reach, as the best so far was
+  Hypothesis reached = reach_for_more(objective_, scales_, std::move(*pose), best_evidence());
+  max_inliers_ = std::max(max_inliers_, reached.num_inliers());
+  if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
 }
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
