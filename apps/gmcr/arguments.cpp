@@ -2,6 +2,14 @@
 
 namespace gmcr::cli {
 
+CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return text.starts_with('-') ? "'" + text + "' is negative" : std::string();
+      },
+      "");
+}
+
 void SolverArguments::add_to(CLI::App& command) {
   auto* estimate = command.add_flag(
       "--estimate-scale", [this](std::int64_t) { options.scale_mode = ScaleMode::Estimated; },
@@ -31,6 +39,7 @@ void SolverArguments::add_to(CLI::App& command) {
       ->type_name("S")
       ->capture_default_str();
   command.add_option("--memory-limit", options.budget.memory, "Bytes for graphs, such as 512MB")
+      ->check(not_negative())
       ->transform(CLI::AsSizeValue(false))
       ->type_name("BYTES")
       ->capture_default_str();

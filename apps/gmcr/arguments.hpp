@@ -31,6 +31,9 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Enum& value,
   return command.add_option(name, parse, help)->type_name(names)->default_str(current)->expected(1);
 }
 
+/// Refuses a number with a minus sign, which an unsigned option would take for a huge one.
+CLI::Validator not_negative();
+
 /// Solver options as they are given on the command line.
 struct SolverArguments {
   Options options;

@@ -1,5 +1,6 @@
 #include <fmt/ranges.h>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "gmcr/clique.hpp"
 #include "gmcr/io.hpp"
@@ -84,8 +85,10 @@ void add_clique_command(CLI::App& app, Work& work) {
       ->type_name("S")
       ->capture_default_str();
   command.add_option("--max-nodes", arguments->options.max_nodes, "Search nodes to visit")
+      ->check(not_negative())
       ->capture_default_str();
   command.add_option("--memory-limit", arguments->memory_limit, "Bytes for the graph, such as 2GB")
+      ->check(not_negative())
       ->transform(CLI::AsSizeValue(false))
       ->type_name("BYTES")
       ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
@@ -54,6 +55,7 @@ Json to_json(const Result& result, double total_seconds) {
                          {"upper", result.certificate.upper},
                          {"certified", result.certificate.certified}};
   json["time_ms"] = stage_times(result, total_seconds);
+  json["scale_range"] = Json::array({diagnostics.scale_range.min, diagnostics.scale_range.max});
   json["num_candidates"] = diagnostics.num_candidates;
   json["num_scale_ranges"] = diagnostics.num_scale_ranges;
   json["num_clique_nodes"] = diagnostics.num_clique_nodes;
@@ -64,7 +66,10 @@ Json to_json(const Result& result, double total_seconds) {
   return json;
 }
 
-void print(const Json& json) { fmt::print("{}\n", json.dump(kIndent)); }
+void print(const Json& json) {
+  fmt::print("{}\n", json.dump(kIndent));
+  if (std::fflush(stdout) != 0) throw IoError("standard output", 0, std::strerror(errno));
+}
 
 void write(const std::filesystem::path& path, const Json& json) {
   std::ofstream file(path, std::ios::binary);

@@ -56,8 +56,12 @@ ExitCode run(const Arguments& arguments) {
                                      matches.target_voxel_size));
   report.line("time", duration(seconds));
   report.line("written", arguments.matches);
-  report.line("solve it", fmt::format("gmcr solve {} --noise-bound {:.4g}", arguments.matches,
-                                      matches.noise_bound));
+  const Options& options = arguments.options;
+  const std::string scale = options.scale_mode == ScaleMode::Estimated ? " --estimate-scale"
+                            : options.scale != 1 ? fmt::format(" --scale {:.6g}", options.scale)
+                                                 : "";
+  report.line("solve it", fmt::format("gmcr solve {} --noise-bound {:.4g}{}", arguments.matches,
+                                      matches.noise_bound, scale));
   report.print();
   return kPoseFound;
 }

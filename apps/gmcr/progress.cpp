@@ -3,35 +3,58 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdio>
+
+#include "stopwatch.hpp"
+
 namespace gmcr::cli {
 namespace {
 
+constexpr double kFirst = 1;  // seconds
 constexpr double kTerminalPeriod = 0.2;
 constexpr double kLogPeriod = 10;
 
 }  // namespace
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO)), thread_([this] { run(); }) {}
 
 ProgressLine::~ProgressLine() {
-  if (is_shown_ && is_terminal_) fmt::print(stderr, "\r\033[K");
+  {
+    const std::lock_guard lock(mutex_);
+    has_ended_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
 }
 
 ProgressCallback ProgressLine::callback() {
   return [this](const Progress& progress) {
-    show(progress);
+    const std::lock_guard lock(mutex_);
+    progress_ = progress;
     return true;
   };
 }
 
-void ProgressLine::show(const Progress& progress) {
-  const double seconds = stopwatch_.seconds();
-  if (seconds < next_) return;
-  next_ = seconds + (is_terminal_ ? kTerminalPeriod : kLogPeriod);
-  is_shown_ = true;
-  fmt::print(stderr, "{}{} {:.0f} % ({:.0f} s){}",
-             is_terminal_ ? "\r\033[K" : "gmcr: ", progress.stage, 100 * progress.fraction, seconds,
-             is_terminal_ ? "" : "\n");
+void ProgressLine::run() {
+  const Stopwatch stopwatch;
+  bool is_shown = false;
+  std::unique_lock lock(mutex_);
+  for (double pause = kFirst;; pause = is_terminal_ ? kTerminalPeriod : kLogPeriod) {
+    if (ended_.wait_for(lock, std::chrono::duration<double>(pause), [&] { return has_ended_; })) {
+      break;
+    }
+    print(stopwatch.seconds());
+    is_shown = true;
+  }
+  if (is_shown && is_terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::print(double seconds) const {
+  const std::string share =
+      progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
+  fmt::print(stderr, "{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ", progress_.stage,
+             share, seconds, is_terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
 #include "gmcr/options.hpp"
-#include "stopwatch.hpp"
 
 namespace gmcr::cli {
 
-/// Shows on stderr how far work of more than a second has come: one line that is rewritten on a
-/// terminal, a line now and then elsewhere.
+/// Shows on stderr that work of more than a second goes on, and at which stage it is: one line that
+/// is rewritten on a terminal, a line now and then elsewhere.
 class ProgressLine {
  public:
   ProgressLine();
@@ -18,12 +21,15 @@ class ProgressLine {
   ProgressCallback callback();
 
  private:
-  void show(const Progress& progress);
+  void run();
+  void print(double seconds) const;
 
-  Stopwatch stopwatch_;
-  bool is_terminal_;
-  bool is_shown_ = false;
-  double next_ = 1;  // seconds at which to print again
+  const bool is_terminal_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+  Progress progress_{"front end", 0};
+  std::thread thread_;  // last: it uses the others
 };
 
 }  // namespace gmcr::cli

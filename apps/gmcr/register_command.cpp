@@ -6,6 +6,7 @@
 #include "gmcr/io.hpp"
 #include "progress.hpp"
 #include "refine.hpp"
+#include "stopwatch.hpp"
 
 namespace gmcr::cli {
 namespace {

@@ -36,14 +36,19 @@ void add_pose(Report& report, const Similarity& pose) {
                                          shift.y(), shift.z(), shift.norm()));
 }
 
-void add_certificate(Report& report, const Certificate& certificate) {
+void add_certificate(Report& report, const Certificate& certificate, const ScaleRange& scales) {
+  const std::string where =
+      scales.min < scales.max
+          ? fmt::format(", at scales from {:.4g} to {:.4g}", scales.min, scales.max)
+          : "";
   if (certificate.certified) {
-    report.line("certificate", "no pose can have more inliers: proven optimal", Report::Tone::Good);
+    report.line("certificate", "no pose can have more inliers: proven optimal" + where,
+                Report::Tone::Good);
     return;
   }
   report.line("certificate",
-              fmt::format("at most {} could agree: within {} of the best possible",
-                          certificate.upper, certificate.upper - certificate.lower),
+              fmt::format("at most {} could agree: within {} of the best possible{}",
+                          certificate.upper, certificate.upper - certificate.lower, where),
               Report::Tone::Fair);
 }
 
@@ -74,7 +79,7 @@ void add_result(Report& report, const Result& result, double total_seconds) {
   if (diagnostics.num_used != diagnostics.num_correspondences) {
     report.line("used", share(diagnostics.num_used, diagnostics.num_correspondences));
   }
-  add_certificate(report, result.certificate);
+  add_certificate(report, result.certificate, diagnostics.scale_range);
   report.line("time",
               fmt::format("{} with {} threads", duration(total_seconds), diagnostics.num_threads));
   for (const StageTime& stage : diagnostics.stages) {

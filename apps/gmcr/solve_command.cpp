@@ -5,6 +5,7 @@
 #include "json.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "stopwatch.hpp"
 
 namespace gmcr::cli {
 namespace {

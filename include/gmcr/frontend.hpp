@@ -89,6 +89,8 @@ struct CloudResult {
   /// Share of `matches.source_voxels` with a point of `matches.target_voxels` within one voxel of
   /// the target after the transform, in [0, 1]; 0 without a pose.
   double fitness = 0;
+  /// Distinct evidence of the inliers, whatever was maximised: what the verdict goes by.
+  double distinct_evidence = 0;
   double overlap_rmse = 0;  ///< RMS distance of those points, metres
   /// The same share the other way round: of `matches.target_voxels` near the transformed source.
   double target_fitness = 0;

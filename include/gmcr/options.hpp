@@ -65,7 +65,8 @@ struct Options {
 
   Method method = Method::Gmcr;
   Evidence evidence = Evidence::Distinct;
-  /// Keep only the first of the correspondences that share a source or a target point.
+  /// Search with only the first of the correspondences that share a source or a target point. The
+  /// inliers and the certificate still speak of all.
   bool one_to_one = false;
 
   int num_threads = 0;  ///< >= 0; 0 uses every core. The result does not depend on it.

@@ -30,9 +30,9 @@ struct Consensus {
 
 /// Consensus set of a given transform, by the same rules as `Result::inliers`: for a pose that was
 /// refined or comes from elsewhere.
-/// @param source, target, options  as for `register_correspondences`; all correspondences count,
-///   whatever `options.one_to_one` says.
-/// @throws std::invalid_argument as `register_correspondences`. Cost O(N log N).
+/// @param source, target, options  as for `register_correspondences`.
+/// @throws std::invalid_argument as `register_correspondences`.
+/// Cost O(N log N) where few target points are near each other.
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options);
 

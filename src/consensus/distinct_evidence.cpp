@@ -12,16 +12,20 @@ namespace {
 /// returns false.
 template <typename Visit>
 bool for_each_partner(const Correspondences& c, const Visit& visit) {
-  std::vector<Index> by_x(static_cast<std::size_t>(c.size()));
-  std::iota(by_x.begin(), by_x.end(), Index{0});
-  std::stable_sort(by_x.begin(), by_x.end(),
-                   [&](Index i, Index j) { return c.target(0, i) < c.target(0, j); });
-  const double max_bound = c.size() == 0 ? 0 : c.bounds.maxCoeff();
-  for (std::size_t p = 0; p < by_x.size(); ++p) {
-    const Index i = by_x[p];
-    for (std::size_t q = p + 1; q < by_x.size(); ++q) {
-      const Index j = by_x[q];
-      if (c.target(0, j) - c.target(0, i) > c.bounds[i] + max_bound) break;
+  if (c.size() == 0) return true;
+  // sweeps along the axis on which the targets are spread widest
+  Index axis = 0;
+  (c.target.rowwise().maxCoeff() - c.target.rowwise().minCoeff()).maxCoeff(&axis);
+  std::vector<Index> order(static_cast<std::size_t>(c.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return c.target(axis, i) < c.target(axis, j); });
+  const double max_bound = c.bounds.maxCoeff();
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    const Index i = order[p];
+    for (std::size_t q = p + 1; q < order.size(); ++q) {
+      const Index j = order[q];
+      if (c.target(axis, j) - c.target(axis, i) > c.bounds[i] + max_bound) break;
       const double bound = c.bounds[i] + c.bounds[j];
       if ((c.target.col(j) - c.target.col(i)).squaredNorm() > bound * bound) continue;
       const double length = (c.source.col(j) - c.source.col(i)).norm();

@@ -50,8 +50,8 @@ RotationCones rotation_cones(const Tims& tims, double scale) {
   return cones;
 }
 
-BitsetGraph rotation_graph(const RotationCones& cones, int num_threads) {
-  return graph_from_rows(cones.directions.size(), num_threads, [&](Index k, auto row) {
+BitsetGraph rotation_graph(const RotationCones& cones, int num_threads, const Deadline& deadline) {
+  return graph_from_rows(cones.directions.size(), num_threads, deadline, [&](Index k, auto row) {
     kernels::rotation_row(cones.directions, k, row);
   });
 }

@@ -5,6 +5,7 @@
 #include "gmcr/bitset_graph.hpp"
 #include "invariants/tims.hpp"
 #include "kernels/rotation_row.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr {
 
@@ -25,6 +26,7 @@ RotationCones rotation_cones(const Tims& tims, double scale);
 ///
 /// Deviation: the paper tests two regions on the sphere, which admits 2 gamma_k + gamma_l; L3 is
 /// exact. Cost O(K^2), memory K^2 / 8 bytes.
-BitsetGraph rotation_graph(const RotationCones& cones, int num_threads);
+BitsetGraph rotation_graph(const RotationCones& cones, int num_threads,
+                           const Deadline& deadline = Deadline::never());
 
 }  // namespace gmcr

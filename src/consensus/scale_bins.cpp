@@ -1,6 +1,7 @@
 #include "consensus/scale_bins.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -42,13 +43,18 @@ std::pair<Index, Index> ScaleBins::covering(double lower, double upper) const {
 
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
                              const std::function<double(Index i, Index bin)>& weight,
-                             int num_threads) {
+                             int num_threads, const Deadline& deadline) {
   constexpr Index kRowsPerChunk = 64;
   const Index n = arrays.size();
   const auto num_bins = static_cast<std::size_t>(bins.size());
   std::vector<VoteChanges> chunks(
       static_cast<std::size_t>((n + kRowsPerChunk - 1) / kRowsPerChunk));
+  std::atomic<bool> late = false;
   parallel_for(n, kRowsPerChunk, num_threads, [&](Index begin, Index end) {
+    if (late || deadline.expired()) {
+      late = true;
+      return;
+    }
     VoteChanges changes{std::vector<Index>(num_bins + 1), std::vector<double>(num_bins + 1)};
     for_each_voting_pair(arrays, bins, begin, end, [&](Index i, Index j, Index first, Index last) {
       const Index middle = (first + last) / 2;
@@ -61,6 +67,11 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
     chunks[static_cast<std::size_t>(begin / kRowsPerChunk)] = std::move(changes);
   });
 
+  if (late) {
+    const Index all = n * (n - 1) / 2;
+    return {std::vector<Index>(num_bins, all),
+            std::vector<double>(num_bins, static_cast<double>(all))};
+  }
   ScaleVotes votes{std::vector<Index>(num_bins), std::vector<double>(num_bins)};
   Index pairs = 0;
   double evidence = 0;

@@ -6,6 +6,7 @@
 
 #include "gmcr/options.hpp"
 #include "kernels/consistency_row.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr {
 
@@ -57,9 +58,10 @@ struct ScaleVotes {
 
 /// Votes of all pairs, streamed: no record of a pair is kept (L5).
 /// @param weight  w_i at a bin: weight(i, bin); must be safe to call from several threads.
+/// @return where the deadline passes first: every pair votes for every bin, which is a bound too.
 /// Cost O(N^2 + bins), memory O(bins) a chunk of rows.
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
                              const std::function<double(Index i, Index bin)>& weight,
-                             int num_threads);
+                             int num_threads, const Deadline& deadline = Deadline::never());
 
 }  // namespace gmcr

@@ -95,7 +95,7 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
     frontend.max_ratio = 1;
   }
   CloudMatches matches;
-  matches.filtered = !setting.keep_all_matches;
+  matches.filtered = frontend.mutual || frontend.max_ratio < 1;
   StageClock clock(matches.stages);
   const VoxelSizes sizes =
       choose_voxel_sizes(source, target, frontend, options, setting.keep_all_matches);

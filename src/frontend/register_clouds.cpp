@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -19,37 +20,49 @@ constexpr Index kMostUnfiltered = 3000;
 /// A solver needs some time to say that it has none.
 constexpr double kLeastSeconds = 1e-3;
 
-/// How the voxels of the two clouds meet under the pose, both ways.
-void measure_fit(CloudResult& result, int num_threads) {
-  const CloudMatches& matches = result.matches;
-  const Similarity& pose = result.registration.target_from_source;
-  const double radius = matches.target_voxel_size;
-  const Overlap forward =
-      measure_overlap(matches.source_voxels, matches.target_voxels, pose, radius, num_threads);
-  const Overlap backward = measure_overlap(matches.target_voxels, matches.source_voxels,
-                                           pose.inverse(), radius / pose.scale, num_threads);
-  result.fitness = forward.fitness;
-  result.overlap_rmse = forward.rmse;
-  result.target_fitness = backward.fitness;
-}
-
 Options solver_options(const Options& options, const CloudMatches& matches) {
   Options solver = options;
   solver.noise_bound = matches.noise_bound;
   return solver;
 }
 
+/// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
+void measure_fit(CloudResult& result, const Options& options) {
+  const CloudMatches& matches = result.matches;
+  const Similarity& pose = result.registration.target_from_source;
+  const double radius = matches.target_voxel_size;
+  const Overlap forward = measure_overlap(matches.source_voxels, matches.target_voxels, pose,
+                                          radius, options.num_threads);
+  const Overlap backward =
+      measure_overlap(matches.target_voxels, matches.source_voxels, pose.inverse(),
+                      radius / pose.scale, options.num_threads);
+  result.fitness = forward.fitness;
+  result.overlap_rmse = forward.rmse;
+  result.target_fitness = backward.fitness;
+  Options distinct = solver_options(options, matches);
+  distinct.evidence = Evidence::Distinct;
+  result.distinct_evidence =
+      evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
+}
+
 /// One attempt from raw clouds to a judged pose.
-CloudResult attempt(const PointsRef& source, const PointsRef& target,
-                    const FrontendOptions& frontend, const Options& options,
-                    const FrontendSetting& setting) {
+/// @return nullopt where the graph of the matches exceeds the memory budget and this is not the
+///   `first` attempt, which would throw.
+std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
+                                   const FrontendOptions& frontend, const Options& options,
+                                   const FrontendSetting& setting, bool first) {
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
   result.matches = match_with(source, target, frontend, options, setting);
+  const Index num_matches = result.matches.source.cols();
+  if (!first && BitsetGraph::bytes_required(num_matches) > options.budget.memory) {
+    return std::nullopt;
+  }
   result.registration = register_correspondences(result.matches.source, result.matches.target,
                                                  solver_options(options, result.matches));
-  if (result.registration.status == Status::Ok) measure_fit(result, options.num_threads);
+  const Status status = result.registration.status;
+  if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
   judge(result);
   return result;
 }
@@ -78,25 +91,31 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   const Deadline deadline(options.budget.time);
   CloudResult best;
   std::vector<StageTime> stages;
+  std::vector<std::string> limits;
   int num_attempts = 0;
   for (const FrontendSetting& setting : list_settings(frontend)) {
     const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
     if (num_attempts > 0 && deadline.expired()) {
-      best.registration.diagnostics.limits_hit.push_back(
-          "the time budget ended the attempts at other settings");
+      limits.push_back("the time budget ended the attempts at other settings");
       break;
     }
     Options remaining = options;
     remaining.budget.time = std::max(deadline.remaining(), kLeastSeconds);
-    CloudResult result = attempt(source, target, frontend, remaining, setting);
-    add_stages(stages, result.matches.stages);
-    add_stages(stages, result.registration.diagnostics.stages);
+    auto result = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
+    if (!result) {
+      limits.push_back("the memory budget kept out an attempt with more matches");
+      continue;
+    }
+    add_stages(stages, result->matches.stages);
+    add_stages(stages, result->registration.diagnostics.stages);
     ++num_attempts;
-    if (num_attempts == 1 || better(result, best)) best = std::move(result);
+    if (num_attempts == 1 || better(*result, best)) best = std::move(*result);
     if (best.verdict == Verdict::Trusted) break;
   }
   best.num_attempts = num_attempts;
+  auto& limits_hit = best.registration.diagnostics.limits_hit;
+  limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
   best.registration.diagnostics.stages = std::move(stages);
   best.registration.diagnostics.total_seconds = deadline.elapsed();
   return best;
@@ -115,7 +134,7 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   certificate.lower = static_cast<Index>(registration.inliers.size());
   certificate.upper = std::max(certificate.upper, certificate.lower);
   certificate.certified = certificate.lower == certificate.upper;
-  measure_fit(result, options.num_threads);
+  measure_fit(result, options);
   judge(result);
   return result;
 }

@@ -20,6 +20,8 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
                                               setting.target_side != frontend.orientation)) {
       continue;
     }
+    const bool asked_for_voxels = frontend.voxel_size > 0 && setting.voxel_factor != 1;
+    if (asked_for_voxels) continue;
     settings.push_back(setting);
   }
   const auto count = std::min(settings.size(), static_cast<std::size_t>(frontend.max_attempts));

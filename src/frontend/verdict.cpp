@@ -7,10 +7,11 @@
 namespace gmcr {
 namespace {
 
-// Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones of
-// surfaces that overlap well.
+// Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones.
 constexpr Index kChanceInliers = 12;
 constexpr Index kTrustedInliers = 30;
+// Their distinct evidence, which a loose noise bound does not swell: at most 5.4 and at least 8.2.
+constexpr double kTrustedEvidence = 7;
 // Shares of a cloud that the other covers.
 constexpr double kLeastCoverage = 0.2;
 constexpr double kPlausibleCoverage = 0.5;
@@ -39,11 +40,14 @@ void judge(CloudResult& result) {
       std::to_string(std::lround(100 * coverage)) + " % of a cloud meets the other";
   if (result.registration.status != Status::Ok) {
     result.verdict = Verdict::Untrusted;
-    result.verdict_reason = "there is no pose: " + result.registration.status_reason;
+    const bool has_pose = result.registration.status == Status::Degenerate;
+    result.verdict_reason = (has_pose ? "the pose is one of many: " : "there is no pose: ") +
+                            result.registration.status_reason;
   } else if (all_matches ? coverage < kPlausibleCoverage : num_inliers < kChanceInliers) {
     result.verdict = Verdict::Untrusted;
     result.verdict_reason = count + " and " + meet + ", which chance explains";
-  } else if (all_matches || num_inliers < kTrustedInliers || coverage < kLeastCoverage) {
+  } else if (all_matches || num_inliers < kTrustedInliers ||
+             result.distinct_evidence < kTrustedEvidence || coverage < kLeastCoverage) {
     result.verdict = Verdict::Doubtful;
     result.verdict_reason = "only " + count + " and " + meet;
   } else {

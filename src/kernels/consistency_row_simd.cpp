@@ -10,7 +10,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gmcr::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Lanes = hn::ScalableTag<double>;
+using Lanes = hn::CappedTag<double, 8>;  // a mask of its lanes fits a byte
 using Vector = hn::Vec<Lanes>;
 
 /// One point against the points of one array a coordinate.

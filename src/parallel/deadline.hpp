@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace gmcr {
 
@@ -11,6 +12,8 @@ class Deadline {
  public:
   /// @param seconds  from now; infinity for never.
   explicit Deadline(double seconds) : start_(Clock::now()), seconds_(seconds) {}
+
+  static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
 
   bool expired() const { return elapsed() >= seconds_; }
 

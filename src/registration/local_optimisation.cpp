@@ -16,12 +16,6 @@ std::optional<Similarity> fit(const Objective& objective, const ScaleRange& scal
   return fit_similarity(c.source, c.target, c.bounds, indices, scales);
 }
 
-double evidence_of(const Objective& objective, const std::vector<Index>& indices, double scale) {
-  double evidence = 0;
-  for (const Index i : indices) evidence += objective.weight(i, scale);
-  return evidence;
-}
-
 /// Fits that approach the pose of least largest residual over `indices`.
 /// @return the best pose met, or `best`; and the index that weighs most in the end.
 std::pair<Hypothesis, Index> equalise(const Objective& objective, const ScaleRange& scales,
@@ -42,7 +36,7 @@ std::pair<Hypothesis, Index> equalise(const Objective& objective, const ScaleRan
       // a floor, so that a correspondence that fits well now can come back
       weights[static_cast<Index>(k)] *= std::max(relative, 1e-3);
     }
-    if (evidence_of(objective, held, pose->scale) > best.evidence) {
+    if (objective.evidence_of(held, pose->scale) > best.evidence) {
       Hypothesis next = objective.judge(*pose);
       if (is_better(next, best)) best = std::move(next);
     }
@@ -94,7 +88,7 @@ Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, 
   std::vector<Index> indices = objective.within(best.target_from_source, kReach);
   for (int given_up = 0; given_up <= kMaxGivenUp; ++given_up) {
     const double scale = best.target_from_source.scale;
-    if (evidence_of(objective, indices, scale) <= std::max(best.evidence, must_exceed)) break;
+    if (objective.evidence_of(indices, scale) <= std::max(best.evidence, must_exceed)) break;
     auto [next, heaviest] = equalise(objective, scales, indices, std::move(best));
     best = std::move(next);
     indices.erase(indices.begin() + heaviest);

@@ -24,6 +24,12 @@ double Objective::weight(Index i, double scale) const {
   return distinct_ ? distinct_->weight(i, scale) : 1;
 }
 
+double Objective::evidence_of(const std::vector<Index>& indices, double scale) const {
+  double evidence = 0;
+  for (const Index i : indices) evidence += weight(i, scale);
+  return evidence;
+}
+
 std::vector<Index> Objective::within(const Similarity& target_from_source, double factor) const {
   const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
   std::vector<Index> indices;

@@ -35,6 +35,9 @@ class Objective {
   /// Evidence that correspondence i gives at a scale, in (0, 1].
   double weight(Index i, double scale) const;
 
+  /// Evidence that the given correspondences give together at a scale.
+  double evidence_of(const std::vector<Index>& indices, double scale) const;
+
   /// Whether the memory sufficed for the weights; if not, each is 1.
   bool weights_complete() const { return !distinct_ || distinct_->complete(); }
 

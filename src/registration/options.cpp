@@ -1,14 +1,20 @@
 #include "gmcr/options.hpp"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace gmcr {
 namespace {
 
+constexpr int kMaxThreads = 1024;
+
 void require(bool holds, const std::string& field, double value, const char* rule) {
-  if (!holds) throw std::invalid_argument(field + ": " + std::to_string(value) + " " + rule);
+  if (holds) return;
+  std::ostringstream message;
+  message << field << ": " << value << ' ' << rule;
+  throw std::invalid_argument(message.str());
 }
 
 void require_positive(const std::string& field, double value) {
@@ -41,6 +47,7 @@ void Options::validate() const {
             "exceeds scale_range.max");
   }
   require(num_threads >= 0, "num_threads", num_threads, "is negative");
+  require(num_threads <= kMaxThreads, "num_threads", num_threads, "exceeds 1024");
   require(budget.time > 0, "budget.time", budget.time, "is not a positive number of seconds");
   require(budget.memory > 0, "budget.memory", 0, "is no memory at all");
 }

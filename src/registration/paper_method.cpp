@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "consensus/consistency_graph.hpp"
+#include "estimation/similarity_fit.hpp"
 #include "registration/certificate.hpp"
 #include "registration/stages.hpp"
 
@@ -103,7 +105,15 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
     const StageTimer timer(context, "rotation");
     return rotation_consensus(context, tims, pruned->scale, kUnlimited);
   }();
-  if (!rotation) return result;
+  if (!rotation) {
+    // the TIMs are parallel: a pose that fits, one of many, so that the result can say so
+    std::vector<Index> all(static_cast<std::size_t>(tims.size()));
+    std::iota(all.begin(), all.end(), Index{0});
+    result.target_from_source =
+        fit_similarity(correspondences.source, correspondences.target, correspondences.bounds,
+                       touched_correspondences(tims, all), {pruned->scale, pruned->scale});
+    return result;
+  }
 
   const StageTimer timer(context, "translation");
   const TranslationConsensus translation =

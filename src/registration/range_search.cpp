@@ -84,7 +84,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   std::vector<bool> covered(starts.size(), false);
   Index num_starts = 0;
   for (const Start& start : starts) {
-    if (num_starts == max_starts || search.context().stopped()) return;
+    if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
     if (covered[static_cast<std::size_t>(start.vertex)]) continue;
     if (start.evidence_bound <= search.best_evidence()) continue;
     ++num_starts;
@@ -107,6 +107,9 @@ Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::ui
   }();
   if (static_cast<Index>(clique.vertices.size()) > search.max_inliers()) {
     search.offer(clique.vertices);
+  }
+  if (!clique.proven_optimal) {
+    search.context().limit("a clique search ended before its proof: the upper bound may be loose");
   }
   return clique.upper_bound;
 }

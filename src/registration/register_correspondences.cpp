@@ -50,6 +50,16 @@ Eigen::ArrayXd inlier_bounds(const Options& options, Index count) {
   return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count) / options.threshold;
 }
 
+/// The input as it is, in the caller's frames.
+Correspondences correspondences_of(const PointsRef& source, const PointsRef& target,
+                                   const Options& options) {
+  Correspondences input;
+  input.source = source;
+  input.target = target;
+  input.bounds = inlier_bounds(options, source.cols());
+  return input;
+}
+
 /// The correspondences none of whose end points an earlier one has, ascending.
 std::vector<Index> first_of_each_point(const PointsRef& source, const PointsRef& target) {
   using Key = std::tuple<double, double, double>;
@@ -94,27 +104,26 @@ std::string degeneracy_reason(const Points& source, const Similarity& pose,
   return {};
 }
 
-/// Fills transform, inliers and verdict from a pose between the centred frames.
-void conclude(Result& result, const Objective& objective, const Similarity& centred_pose,
-              Index upper_bound, const Correspondences& input, const std::vector<Index>& used) {
-  // the pose is judged once more in the caller's frames: these residuals are what the caller can
-  // check
-  const Similarity pose = uncentre(centred_pose, objective.correspondences());
-  const Hypothesis verdict = Objective(input, Evidence::Count, 0).judge(pose);
-  result.certificate = certify(verdict.num_inliers(), upper_bound);
-  if (verdict.num_inliers() < kMinInliers) {
+/// Fills transform, inliers, certificate and status from a pose between the caller's frames, judged
+/// on all of the caller's correspondences: these residuals are what the caller can check.
+/// @param objective  of the correspondences that were used, for their weights where these are all.
+void conclude(Result& result, const Similarity& pose, Index upper_bound,
+              const Correspondences& input, const Objective& objective, const Options& options) {
+  const bool all_used = objective.correspondences().size() == input.size();
+  const Evidence evidence = all_used ? Evidence::Count : options.evidence;
+  Hypothesis judged = Objective(input, evidence, options.budget.memory / 4).judge(pose);
+  if (all_used) judged.evidence = objective.evidence_of(judged.inliers, pose.scale);
+  result.certificate = certify(judged.num_inliers(), upper_bound);
+  if (judged.num_inliers() < kMinInliers) {
     result.status = Status::NoConsensus;
     result.status_reason = "no pose found has 3 inliers";
     return;
   }
   result.target_from_source = pose;
-  for (const Index i : verdict.inliers) {
-    result.inliers.push_back(used[static_cast<std::size_t>(i)]);
-    result.evidence += objective.weight(i, pose.scale);
-  }
-  result.status_reason =
-      degeneracy_reason(objective.correspondences().source, pose, verdict.inliers,
-                        input.bounds(verdict.inliers).maxCoeff());
+  result.inliers = judged.inliers;
+  result.evidence = judged.evidence;
+  result.status_reason = degeneracy_reason(input.source, pose, judged.inliers,
+                                           input.bounds(judged.inliers).maxCoeff());
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
 }
 
@@ -144,12 +153,15 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   }
   context.require_memory_for_graph(diagnostics.num_used);
 
-  Correspondences input;
-  input.source = source(Eigen::all, used);
-  input.target = target(Eigen::all, used);
-  input.bounds = inlier_bounds(options, source.cols())(used);
-  const Correspondences centred = centre(input.source, input.target, input.bounds);
-  const Objective objective(centred, options.evidence, options.budget.memory / 4);
+  const Correspondences input = correspondences_of(source, target, options);
+  const Correspondences centred = [&] {
+    const Correspondences kept = subset(input, used);
+    return centre(kept.source, kept.target, kept.bounds);
+  }();
+  const Objective objective = [&] {
+    const StageTimer timer(context, "evidence");
+    return Objective(centred, options.evidence, options.budget.memory / 4);
+  }();
   if (!objective.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
   }
@@ -157,12 +169,18 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   diagnostics.scale_range = scales;
   const MethodResult found = options.method == Method::Gmcr ? solve_gmcr(context, objective, scales)
                                                             : solve_paper(context, centred, scales);
+  // a correspondence that was dropped may agree with a pose too
+  const Index upper_bound =
+      found.upper_bound + diagnostics.num_correspondences - diagnostics.num_used;
   if (found.target_from_source) {
-    conclude(result, objective, *found.target_from_source, found.upper_bound, input, used);
+    conclude(result, uncentre(*found.target_from_source, centred), upper_bound, input, objective,
+             options);
   } else {
     result.status = Status::NoConsensus;
-    result.status_reason = "no three correspondences agree on a pose";
-    result.certificate = certify(0, found.upper_bound);
+    result.status_reason = diagnostics.limits_hit.empty()
+                               ? "no three correspondences agree on a pose"
+                               : "no pose was found before a limit ended the search";
+    result.certificate = certify(0, upper_bound);
   }
   diagnostics.total_seconds = clock.elapsed();
   return result;
@@ -171,10 +189,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options) {
   validate_input(source, target, options);
-  Correspondences input;
-  input.source = source;
-  input.target = target;
-  input.bounds = inlier_bounds(options, source.cols());
+  const Correspondences input = correspondences_of(source, target, options);
   const Hypothesis judged =
       Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
   return {judged.inliers, judged.evidence};

@@ -61,13 +61,14 @@ ScaleVotes vote(PoseSearch& search, const ScaleBins& bins) {
   }
   return count_scale_votes(
       search.arrays(), bins, [&](Index i, Index bin) { return weights(bin / kBinsPerEntry, i); },
-      search.context().options().num_threads);
+      search.context().options().num_threads, search.context().deadline());
 }
 
 VotedBins vote(PoseSearch& search) {
   const StageTimer timer(search.context(), "scale_votes");
   const ScaleBins bins(search.scales(), kBinRatio);
   ScaleVotes votes = vote(search, bins);
+  if (search.context().stopped()) return {bins, std::move(votes), std::nullopt};
   auto pairs = BinnedPairs::make(search.arrays(), bins, votes, kMaxListBytes);
   return {bins, std::move(votes), std::move(pairs)};
 }
@@ -96,7 +97,10 @@ Index bound_scales(PoseSearch& search, const VotedBins& voted) {
     if (search.context().stopped()) return range.bound;
     queue.pop();
     if (range.searched) {
-      if (range.scales.max / range.scales.min < kMinRatio) return range.bound;
+      if (range.scales.max / range.scales.min < kMinRatio) {
+        search.context().limit("the search over the scale ended at its finest resolution");
+        return range.bound;
+      }
       const auto [lower, upper] = halves(range);
       queue.push(lower);
       queue.push(upper);
@@ -142,17 +146,40 @@ void explore_modes(PoseSearch& search, const VotedBins& voted) {
     // evidence W among consistent pairs casts votes of at least W (W - 1) / 2
     const double votes_of_bin = voted.votes.evidence[static_cast<std::size_t>(bin)];
     if ((1 + std::sqrt(1 + 8 * votes_of_bin)) / 2 <= search.best_evidence()) continue;
-    if (search.context().stopped()) return;
+    if (search.best() && search.context().stopped()) return;
     grow_cliques(search, voted.graph(search, bin), kMaxStarts);
   }
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median distance of the points from their median point.
+double median_reach(const Points& points) {
+  if (points.cols() == 0) return 0;
+  Eigen::Vector3d centre;
+  for (Index axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd row = points.row(axis);
+    centre[axis] = median({row.begin(), row.end()});
+  }
+  const Eigen::RowVectorXd distances = (points.colwise() - centre).colwise().norm();
+  return median({distances.begin(), distances.end()});
 }
 
 }  // namespace
 
 ScaleRange default_scale_range(const Correspondences& correspondences) {
-  const double source = correspondences.source.norm(), target = correspondences.target.norm();
-  const double ratio = source > 0 && target > 0 ? target / source : 1;
-  return {ratio / kSizeFactor, ratio * kSizeFactor};
+  // the median withstands a few points far out; the mean square sees a far minority of both clouds
+  const auto ratio_of = [](double source, double target) {
+    return source > 0 && target > 0 ? target / source : 1;
+  };
+  const double by_norm = ratio_of(correspondences.source.norm(), correspondences.target.norm());
+  const double by_median =
+      ratio_of(median_reach(correspondences.source), median_reach(correspondences.target));
+  return {std::min(by_norm, by_median) / kSizeFactor, std::max(by_norm, by_median) * kSizeFactor};
 }
 
 Index search_scales(PoseSearch& search) {

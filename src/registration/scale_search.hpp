@@ -4,8 +4,8 @@
 
 namespace gmcr {
 
-/// Where an unknown scale is searched for when the caller does not say: around the ratio of the
-/// clouds' sizes.
+/// Where an unknown scale is searched for when the caller does not say: within a factor of 20 of
+/// the ratios of the clouds' sizes, by their medians and by their mean squares.
 ScaleRange default_scale_range(const Correspondences& correspondences);
 
 /// Search for the best pose over all scales of `search.scales()` (L5).

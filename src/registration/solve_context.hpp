@@ -18,6 +18,8 @@ class SolveContext {
   const Options& options() const { return options_; }
   Diagnostics& diagnostics() { return diagnostics_; }
 
+  const Deadline& deadline() const { return deadline_; }
+
   /// Whether the work has to end now; notes in the diagnostics which limit says so.
   bool stopped();
 
@@ -42,10 +44,12 @@ class SolveContext {
   bool cancelled_ = false;
 };
 
-/// Adds the time of its own life to a stage.
+/// Reports the begin of a stage and adds the time of its own life to it.
 class StageTimer {
  public:
-  StageTimer(SolveContext& context, const char* stage) : context_(context), stage_(stage) {}
+  StageTimer(SolveContext& context, const char* stage) : context_(context), stage_(stage) {
+    context.report(stage, 0);
+  }
   ~StageTimer() { context_.add_stage_time(stage_, lifetime_.elapsed()); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;

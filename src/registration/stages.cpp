@@ -37,7 +37,8 @@ std::optional<ScaleConsensus> scale_consensus(const Tims& tims, const ScaleRange
 std::optional<RotationConsensus> rotation_consensus(SolveContext& context, const Tims& tims,
                                                     double scale, std::uint64_t max_clique_nodes) {
   const RotationCones cones = rotation_cones(tims, scale);
-  const BitsetGraph graph = rotation_graph(cones, context.options().num_threads);
+  const BitsetGraph graph =
+      rotation_graph(cones, context.options().num_threads, context.deadline());
   const CliqueResult clique = stage_clique(context, graph, max_clique_nodes);
   RotationConsensus consensus;
   consensus.proven = clique.proven_optimal;
@@ -57,8 +58,8 @@ TranslationConsensus translation_consensus(SolveContext& context, const Correspo
                                            std::uint64_t max_clique_nodes) {
   const Correspondences some = subset(all, indices);
   const Points measurements = some.target - scale * (rotation * some.source);
-  const BitsetGraph graph =
-      translation_graph(measurements, some.bounds, context.options().num_threads);
+  const BitsetGraph graph = translation_graph(measurements, some.bounds,
+                                              context.options().num_threads, context.deadline());
   const CliqueResult clique = stage_clique(context, graph, max_clique_nodes);
   TranslationConsensus consensus;
   consensus.proven = clique.proven_optimal;

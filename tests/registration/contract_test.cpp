@@ -113,6 +113,44 @@ TEST(RegisterCorrespondences, OneToOneKeepsTheFirstOfSharedPoints) {
   EXPECT_TRUE(inliers.contains(19));
 }
 
+TEST(RegisterCorrespondences, OneToOneStillReportsAllWithinTheBound) {
+  auto problem = random_problem(16, 20, 20);
+  for (Index i = 20; i < 30; ++i) {
+    problem.source.col(i) = problem.source.col(i - 20);
+    problem.target.col(i) = problem.target.col(i - 20);
+  }
+  Options options = problem.options();
+  options.one_to_one = true;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(result.diagnostics.num_used, 30);
+  EXPECT_EQ(result.inliers, within_bound(result, problem.source, problem.target, 0.01));
+  EXPECT_GE(result.inliers.size(), 28u);
+  EXPECT_GE(result.certificate.upper, 30);  // the truth holds 20 and 10 copies
+}
+
+TEST(RegisterCorrespondences, FindsTheScaleDespiteAPointFarOut) {
+  for (const double distance : {1e3, 1e6}) {
+    auto problem = random_problem(17, 50, 50);
+    problem.target.col(99) = Eigen::Vector3d(distance, 0, 0);
+    const Result result = register_correspondences(problem.source, problem.target,
+                                                   problem.options_with_unknown_scale());
+    EXPECT_EQ(result.status, Status::Ok);
+    EXPECT_GE(result.inliers.size(), 49u);
+    EXPECT_LT(result.diagnostics.scale_range.min, 1);
+    EXPECT_GT(result.diagnostics.scale_range.max, 1);
+  }
+}
+
+TEST(RegisterCorrespondences, OfTheShortestTimeStillOffersAPose) {
+  const auto problem = random_problem(18, 60, 20);
+  Options options = problem.options();
+  options.budget.time = 1e-9;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(result.status, Status::Ok);
+  EXPECT_FALSE(result.diagnostics.limits_hit.empty());
+  EXPECT_FALSE(result.certificate.certified);
+}
+
 TEST(RegisterCorrespondences, DistinctEvidenceIsNotFooledByACluster) {
   // 3 wrong matches and a cluster of 12 around a fourth share a wrong pose, against 10 true ones
   auto problem = random_problem(7, 10, 15);

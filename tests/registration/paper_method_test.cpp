@@ -2,6 +2,7 @@
 
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
+#include "parallel/deadline.hpp"
 #include "problems.hpp"
 
 namespace gmcr {
@@ -57,6 +58,30 @@ TEST(PaperMethod, CommitsToOneScaleWhereTheDefaultLooksAtMany) {
   }
   EXPECT_GE(gmcr, 8);
   EXPECT_LT(paper, gmcr);
+}
+
+TEST(PaperMethod, CallsCollinearInliersDegenerate) {
+  testing::RandomGeometry random(3);
+  Points source(3, 20);
+  for (Index i = 0; i < 20; ++i) source.col(i) = random.uniform(-1, 1) * Eigen::Vector3d(1, 2, 3);
+  const Points target = random.similarity(1, 1, 1).apply(source);
+  Options options;
+  options.noise_bound = 0.01;
+  options.method = Method::Paper;
+  const Result result = register_correspondences(source, target, options);
+  EXPECT_EQ(result.status, Status::Degenerate);
+  EXPECT_EQ(result.inliers.size(), 20u);
+}
+
+TEST(PaperMethod, KeepsToTheTimeLimitInsideItsGraphs) {
+  const auto problem = random_problem(12, 450, 50);
+  Options options = problem.options();
+  options.method = Method::Paper;
+  options.budget.time = 0.2;
+  const Deadline clock(0);
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_LT(clock.elapsed(), 20);  // all of its rotation graph takes minutes
+  EXPECT_FALSE(result.diagnostics.limits_hit.empty());
 }
 
 TEST(PaperMethod, SaysWhenTheMemoryBudgetKeepsPairsOut) {
