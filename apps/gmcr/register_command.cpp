@@ -72,7 +72,9 @@ ExitCode run(const Arguments& arguments) {
     ProgressLine progress;
     options.progress = progress.callback();
     const Stopwatch stopwatch;
-    result = register_clouds(source, target, arguments.clouds.resolved(), options);
+    FrontendOptions frontend = arguments.clouds.resolved();
+    frontend.one_to_one = options.one_to_one;
+    result = register_clouds(source, target, frontend, options);
     if (arguments.refine == Refine::Icp) refinement = refine_with_icp(result, options);
     seconds = stopwatch.seconds();
   }

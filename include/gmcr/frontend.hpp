@@ -42,6 +42,9 @@ struct FrontendOptions {
   /// Keep a match only where its feature distance is at most this share of the distance to the
   /// second best, in (0, 1]; 1 keeps all.
   double max_ratio = 1;
+  /// Of the matches that share a target, keep the one closest in feature space. Without effect
+  /// where `mutual` is set: mutual matches share none.
+  bool one_to_one = false;
 
   /// Settings that `register_clouds` may try before it settles for the best result, >= 1. The first
   /// is the one above; the others change voxel size, sides of the normals and, for small clouds,

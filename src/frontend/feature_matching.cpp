@@ -144,11 +144,18 @@ std::vector<FeatureMatch> match_features(const Features& source, const Features&
   const NearestBothWays nearest =
       find_nearest(sources.features, targets.features, options.num_threads);
   const float squared_ratio = options.max_ratio * options.max_ratio;
+  std::vector<Nearest> closest(targets.columns.size());
+  for (std::size_t i = 0; i < sources.columns.size(); ++i) {
+    const Nearest& best = nearest.of_source[i];
+    closest[static_cast<std::size_t>(best.index)].offer(best.squared_distance,
+                                                        static_cast<Index>(i));
+  }
   for (std::size_t i = 0; i < sources.columns.size(); ++i) {
     const Nearest& best = nearest.of_source[i];
     const auto j = static_cast<std::size_t>(best.index);
     if (options.mutual && nearest.of_target[j].index != static_cast<Index>(i)) continue;
     if (options.max_ratio < 1 && best.squared_distance > squared_ratio * best.second) continue;
+    if (options.one_to_one && closest[j].index != static_cast<Index>(i)) continue;
     matches.push_back({sources.columns[i], targets.columns[j]});
   }
   return matches;

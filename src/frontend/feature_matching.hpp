@@ -11,6 +11,7 @@ struct MatchingOptions {
   bool mutual = true;   ///< each is the other's nearest
   float max_ratio = 1;  ///< of the distances to the nearest and the second nearest, (0, 1]
   int num_threads = 0;
+  bool one_to_one = false;  ///< of the matches of a target, the closest only
 };
 
 struct FeatureMatch {

@@ -112,9 +112,9 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
       describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
   const Features target_features =
       describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto pairs =
-      match_features(source_features, target_features,
-                     {frontend.mutual, static_cast<float>(frontend.max_ratio), threads});
+  const auto pairs = match_features(
+      source_features, target_features,
+      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, frontend.one_to_one});
   for (const FeatureMatch& pair : pairs) {
     matches.source_indices.push_back(pair.source);
     matches.target_indices.push_back(pair.target);

@@ -97,10 +97,8 @@ Index bound_scales(PoseSearch& search, const VotedBins& voted) {
     if (search.context().stopped()) return range.bound;
     queue.pop();
     if (range.searched) {
-      if (range.scales.max / range.scales.min < kMinRatio) {
-        search.context().limit("the search over the scale ended at its finest resolution");
-        return range.bound;
-      }
+      // as good as one scale: pairwise bounds tell no more
+      if (range.scales.max / range.scales.min < kMinRatio) return range.bound;
       const auto [lower, upper] = halves(range);
       queue.push(lower);
       queue.push(upper);

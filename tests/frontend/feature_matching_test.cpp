@@ -72,6 +72,21 @@ TEST(FeatureMatching, AgreesWithBruteForceForAllOptionsAndSizes) {
   }
 }
 
+TEST(FeatureMatching, OneToOneKeepsTheClosestMatchOfEachTarget) {
+  // sources at 0, 1 and 5 times a direction, targets at 1.2 and 100 times it
+  Features source = Features::Zero(kFpfhBins, 3), target = Features::Zero(kFpfhBins, 2);
+  source.row(0) << 0.1f, 1, 5;
+  target.row(0) << 1.2f, 100;
+  MatchingOptions options;
+  options.mutual = false;
+  EXPECT_EQ(match_features(source, target, options).size(), 3u);
+  options.one_to_one = true;
+  const auto matches = match_features(source, target, options);
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_EQ(matches[0].source, 1);
+  EXPECT_EQ(matches[0].target, 0);
+}
+
 TEST(FeatureMatching, BreaksTiesTowardTheSmallestIndex) {
   const Features one = random_features(1, 3);
   const Features many = one.replicate(1, 700);

@@ -152,6 +152,11 @@ TEST(MatchClouds, EachOptionChangesTheMatches) {
   EXPECT_TRUE(changed([](auto& f) { f.orientation = NormalOrientation::TowardViewpoint; }));
   EXPECT_TRUE(changed([](auto& f) { f.mutual = false; }));
   EXPECT_TRUE(changed([](auto& f) { f.max_ratio = 0.9; }));
+  FrontendOptions one_way = base;
+  one_way.mutual = false;
+  FrontendOptions one_to_one = one_way;
+  one_to_one.one_to_one = true;
+  EXPECT_FALSE(equal(match(one_to_one), match(one_way)));
   FrontendOptions seen = base;
   seen.orientation = NormalOrientation::TowardViewpoint;
   FrontendOptions from_elsewhere = seen;
