@@ -32,6 +32,7 @@ Tims longest_tims(const Correspondences& correspondences, const std::vector<Inde
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   by_length.resize(std::min(by_length.size(), kMaxTims));
   std::vector<Pair> pairs;
+  pairs.reserve(by_length.size());
   for (const auto& [length, pair] : by_length) pairs.push_back(pair);
   return make_tims(correspondences, std::move(pairs));
 }
