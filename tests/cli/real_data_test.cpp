@@ -1,15 +1,12 @@
 #include <filesystem>
 
 #include "cli/tool.hpp"
+#include "data_folder.hpp"
 
 namespace gmcr {
 namespace {
 
-std::filesystem::path data_folder() {
-  if (const char* folder = std::getenv("GMCR_DATA")) return folder;
-  const char* source = std::getenv("GMCR_SOURCE_DIR");
-  return std::filesystem::path(source ? source : ".") / "../shared/data";
-}
+using testing::data_folder;
 
 TEST(SolveRealData, FindsTheKittiPoseAmongTwoPerCentOfRightMatches) {
   const auto pair = data_folder() / "kitti_fpfh/kitti_000";

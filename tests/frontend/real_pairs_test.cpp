@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "data_folder.hpp"
 #include "gmcr/frontend.hpp"
 #include "gmcr/metrics.hpp"
 
@@ -15,12 +15,7 @@ namespace gmcr {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path data_folder() {
-  if (const char* folder = std::getenv("GMCR_DATA")) return folder;
-  const char* source = std::getenv("GMCR_SOURCE_DIR");
-  return fs::path(source ? source : ".") / ".." / "shared" / "data";
-}
+using testing::data_folder;
 
 /// Points of a binary PLY whose only element has the float properties x, y, z.
 Points read_xyz_ply(const fs::path& path) {

@@ -1,20 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "data_folder.hpp"
 #include "gmcr/io.hpp"
 
 namespace gmcr {
 namespace {
 
-std::filesystem::path data_folder() {
-  if (const char* folder = std::getenv("GMCR_DATA")) return folder;
-  const char* source = std::getenv("GMCR_SOURCE_DIR");
-  return std::filesystem::path(source ? source : ".") / "../shared/data";
-}
+using testing::data_folder;
 
-class RealData : public testing::Test {
+class RealData : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(data_folder() / "README.md")) {
