@@ -79,11 +79,4 @@ double DistinctEvidence::weight(Index i, double scale) const {
   return 1.0 / (1.0 + static_cast<double>(partners));
 }
 
-Eigen::ArrayXd DistinctEvidence::weights(double scale) const {
-  const Index n = complete_ ? static_cast<Index>(first_.size()) - 1 : 0;
-  Eigen::ArrayXd all(n);
-  for (Index i = 0; i < n; ++i) all[i] = weight(i, scale);
-  return all;
-}
-
 }  // namespace gmcr

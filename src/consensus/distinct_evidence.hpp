@@ -27,9 +27,6 @@ class DistinctEvidence {
   /// w_i(scale). Cost O(log number of partners).
   double weight(Index i, double scale) const;
 
-  /// All N weights.
-  Eigen::ArrayXd weights(double scale) const;
-
  private:
   bool complete_ = true;
   std::vector<std::size_t> first_;  ///< N + 1 offsets into max_scales_
