@@ -53,16 +53,6 @@ Coloring color_greedily(RowsView graph, std::span<const Word> subset, std::span<
   return result;
 }
 
-Index color_bound(RowsView graph, std::span<const Word> subset) {
-  return color_greedily(graph, subset).num_colors;
-}
-
-Index color_bound(RowsView graph) {
-  std::vector<Word> all(graph.words_per_row, 0);
-  for (Index v = 0; v < graph.num_vertices; ++v) set_bit(all.data(), v);
-  return color_bound(graph, all);
-}
-
 bool colors_with(RowsView graph, std::span<const Word> subset, Index max_colors,
                  std::vector<Word>& scratch, SearchBudget* budget) {
   const Index words = graph.words_per_row;

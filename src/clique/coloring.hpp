@@ -26,12 +26,6 @@ struct Coloring {
 Coloring color_greedily(RowsView graph, std::span<const Word> subset,
                         std::span<const Index> seeds = {}, SearchBudget* budget = nullptr);
 
-/// Upper bound on the cliques of `graph`: the number of colours of its greedy colouring.
-Index color_bound(RowsView graph);
-
-/// Upper bound on the cliques within `subset`, a bit mask.
-Index color_bound(RowsView graph, std::span<const Word> subset);
-
 /// Colours at most `max_colors` classes; whether that coloured all of `subset`. True proves that
 /// the subset has no clique of more vertices.
 /// @param scratch  any content; reused memory.

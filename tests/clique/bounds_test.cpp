@@ -77,15 +77,15 @@ RC_GTEST_PROP(Coloring, IsProperAndBoundsTheCliqueNumber, ()) {
   if (n > 0) RC_ASSERT(color[static_cast<std::size_t>(seeds[0])] == 0);
   const Index clique_number = test::brute_force_clique_number(graph);
   RC_ASSERT(coloring.num_colors >= clique_number);
-  RC_ASSERT(color_bound(graph) >= clique_number);
+  RC_ASSERT(color_greedily(graph, all_vertices(graph)).num_colors >= clique_number);
 }
 
 TEST(Coloring, OfASubsetIgnoresTheOtherVertices) {
   const BitsetGraph graph = test::complete_graph(70);
   std::vector<Word> subset(2, 0);
   for (const Index v : {3, 65, 69}) set_bit(subset.data(), v);
-  EXPECT_EQ(color_bound(graph, subset), 3);
-  EXPECT_EQ(color_bound(graph), 70);
+  EXPECT_EQ(color_greedily(graph, subset).num_colors, 3);
+  EXPECT_EQ(color_greedily(graph, all_vertices(graph)).num_colors, 70);
   std::vector<Word> scratch;
   EXPECT_TRUE(colors_with(graph, subset, 3, scratch));
   EXPECT_FALSE(colors_with(graph, subset, 2, scratch));
