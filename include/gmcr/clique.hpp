@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "gmcr/bitset_graph.hpp"
@@ -43,6 +44,37 @@ struct CliqueResult {
 /// Cost O(E + n^2 / 64) before the search, plus 16 greedy cliques; exponential in the worst case,
 /// so set a limit for unknown graphs.
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options = {});
+
+/// How a search for a clique of maximum weight may end early.
+struct WeightedCliqueOptions {
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
+  std::uint64_t max_nodes =
+      std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
+  /// Report only a clique that weighs more than this, >= 0; as in `CliqueOptions`.
+  double must_exceed = 0;
+
+  /// @throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+/// What a search for a clique of maximum weight found and proved.
+struct WeightedCliqueResult {
+  std::vector<Index> vertices;  ///< ascending; a clique of the graph
+  double weight = 0;            ///< sum of the weights of `vertices`, in that order
+  double upper_bound = 0;       ///< proven: no clique weighs more; valid also after an early end
+  bool proven_optimal = false;  ///< upper_bound <= max(weight, must_exceed), to rounding
+  std::uint64_t nodes = 0;      ///< search nodes visited
+};
+
+/// Clique of maximum weight, exact unless a limit of `options` binds.
+///
+/// Branch and bound with weighted colourings: a colour class costs its heaviest vertex, and a
+/// vertex may be split over classes.
+/// @param weights  one a vertex, >= 0, finite.
+/// @throws std::invalid_argument where an option is out of range or the weights do not fit.
+/// Deterministic as `max_clique`; exponential in the worst case.
+WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                                       const WeightedCliqueOptions& options = {});
 
 /// A maximum clique solver that the registration can be told to use instead of `max_clique`.
 class CliqueSolver {

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/similarity.hpp"
@@ -38,6 +39,7 @@ struct Cloud {
 struct Matches {
   Points source;
   Points target;
+  std::vector<double> noise_bounds;  ///< metres, one a correspondence, or empty: not in the file
 };
 
 /// Reads a point cloud; the extension, in any case, says the format:

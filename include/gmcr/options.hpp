@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gmcr/clique.hpp"
+#include "gmcr/priors.hpp"
 #include "gmcr/types.hpp"
 
 namespace gmcr {
@@ -25,6 +26,11 @@ enum class Evidence {
 enum class ScaleMode {
   Known,      ///< `Options::scale` is the scale
   Estimated,  ///< the scale is searched for, inside `Options::scale_range` if given
+};
+
+enum class NoiseMode {
+  Given,      ///< `Options::noise_bound` or `Options::noise_bounds`
+  Estimated,  ///< one bound for all is chosen from the data; the result says which and how surely
 };
 
 /// Closed interval of scales, 0 < min <= max.
@@ -51,7 +57,9 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 
 /// Every choice a caller can make. The defaults here are the only ones: the tool reads them.
 struct Options {
-  /// Bound on the noise of a target point, metres, > 0. Required unless `noise_bounds` is given.
+  NoiseMode noise_mode = NoiseMode::Given;
+  /// Bound on the noise of a target point, metres, > 0. Required where the noise is given, unless
+  /// `noise_bounds` is.
   double noise_bound = 0;
   /// One bound per correspondence, metres, each > 0, instead of `noise_bound`. Empty: not used.
   std::vector<double> noise_bounds;
@@ -65,9 +73,17 @@ struct Options {
 
   Method method = Method::Gmcr;
   Evidence evidence = Evidence::Distinct;
-  /// Search with only the first of the correspondences that share a source or a target point. The
+  Priors priors;  ///< what is known of the transform; none by default
+  /// Search for poses with at most one inlier of those that share a source or a target point. The
   /// inliers and the certificate still speak of all.
   bool one_to_one = false;
+
+  /// Poses to return, >= 1: the best one and up to num_hypotheses - 1 alternatives, each with a
+  /// consensus set of its own (symmetric objects, repeated structure).
+  int num_hypotheses = 1;
+  /// Spend what is left of the time budget on proving the consensus a maximum one: a search over
+  /// sets of correspondences that no pose fits jointly tightens the upper bounds.
+  bool certify = false;
 
   int num_threads = 0;  ///< >= 0; 0 uses every core. The result does not depend on it.
   Budget budget;

@@ -22,6 +22,30 @@ namespace gmcr {
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options);
 
+/// When the search for further instances ends.
+struct InstanceOptions {
+  int max_instances = 10;   ///< >= 1
+  Index min_inliers = 8;    ///< >= 3: an instance needs that many
+  double min_share = 0.25;  ///< in [0, 1]: and that share of the evidence of the first one
+
+  /// @throws std::invalid_argument naming field and value.
+  void validate() const;
+};
+
+/// Several instances of the source in the target: registers, removes the consensus set, registers
+/// what is left, and so on.
+///
+/// @param source, target, options  as for `register_correspondences`; `options.budget.time` is for
+///   all of them together.
+/// @return the instances found, in that order; the first whatever it holds, so never empty. The
+///   inliers of the others are those that no earlier one has, as indices into the caller's input;
+///   their certificates speak of what was left.
+/// @throws std::invalid_argument as `register_correspondences`, and on a bad instance option.
+/// Cost: one registration an instance.
+std::vector<Result> register_instances(const PointsRef& source, const PointsRef& target,
+                                       const Options& options,
+                                       const InstanceOptions& instances = {});
+
 /// The correspondences that agree with a transform, and the evidence that they are.
 struct Consensus {
   std::vector<Index> inliers;  ///< ascending

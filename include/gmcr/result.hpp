@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,14 +19,55 @@ enum class Status {
   Degenerate,  ///< the inliers do not determine the transform; it is one of many that fit
 };
 
+/// How far the evidence of the consensus can be from the best possible.
+struct EvidenceCertificate {
+  double lower = 0;        ///< `Result::evidence`
+  double upper = 0;        ///< proven: no transform has more evidence
+  bool certified = false;  ///< upper <= lower to rounding: no transform has more
+};
+
 /// How far the consensus can be from the best possible, in numbers of inliers.
 ///
-/// Speaks of the correspondences that were used and, where the scale is estimated, of the scales
+/// Speaks of the transforms that the priors admit and, where the scale is estimated, of the scales
 /// that were searched (`Diagnostics::scale_range`).
 struct Certificate {
   Index lower = 0;         ///< achieved by the returned transform
   Index upper = 0;         ///< proven: no transform has more inliers
   bool certified = false;  ///< lower == upper: the consensus is a maximum one
+  /// The same for what was maximised; with `Evidence::Count` the same numbers.
+  EvidenceCertificate evidence;
+};
+
+/// How well the inliers determine the transform, from their residuals: first-order covariance of
+/// the weighted least-squares fit, the noise level estimated from the residuals themselves.
+///
+/// The parameters are those of  x -> exp(sigma) s exp([omega]x) R x + t + tau, in this order: omega
+/// (3, radians, target frame, applied after R), tau (3, metres), and where the scale was estimated
+/// sigma (1, relative change of the scale).
+struct Covariance {
+  Eigen::MatrixXd matrix;  ///< 6 x 6 (rigid) or 7 x 7 (similarity), symmetric
+  /// Variances along the principal directions, square metres, ascending, of the motion of the
+  /// inliers: rotation about and scale from their centroid are multiplied by their RMS distance
+  /// from it. A large last one names a direction that the inliers hardly determine.
+  Eigen::VectorXd eigenvalues;
+};
+
+/// The noise bound that was chosen from the data, and how sure that is.
+struct NoiseEstimate {
+  double noise_bound = 0;  ///< metres: the largest error of a right match, times the threshold
+  /// Bounds over which the consensus is stable: a search with any of those that were tried between
+  /// them leads to the same pose. Metres.
+  double stable_min = 0, stable_max = 0;
+  /// log10 of the expected number of consensus sets as large and as tight among random
+  /// correspondences; the more negative, the surer. Above 0 chance explains it.
+  double log10_false_alarms = 0;
+};
+
+/// Another pose that many correspondences agree on.
+struct Alternative {
+  Similarity target_from_source;
+  std::vector<Index> inliers;  ///< as in `Result`
+  double evidence = 0;         ///< as in `Result`
 };
 
 struct StageTime {
@@ -37,7 +80,7 @@ struct Diagnostics {
   std::vector<StageTime> stages;  ///< in order of first use; times of repeated stages are summed
   double total_seconds = 0;
   Index num_correspondences = 0;       ///< in the input
-  Index num_used = 0;                  ///< after the one-to-one test
+  Index num_used = 0;                  ///< that the priors admit
   ScaleRange scale_range;              ///< scales that were searched; min == max: it was known
   Index num_candidates = 0;            ///< poses judged on all correspondences
   Index num_scale_ranges = 0;          ///< scale ranges whose graph was searched
@@ -58,7 +101,21 @@ struct Result {
   /// them are the same evidence seen twice with `Evidence::Distinct`.
   double evidence = 0;
   Certificate certificate;
+  /// Scales at which all pairs of inliers agree (L1); contains that of the transform. min == max
+  /// where the scale is known.
+  ScaleRange consistent_scales{1, 1};
+  std::optional<Covariance> covariance;  ///< where the status is Ok
+  /// Where several hypotheses were asked for: the next best poses, by descending evidence. Each
+  /// shares at most half of its inliers with any better one.
+  std::vector<Alternative> alternatives;
+  std::optional<NoiseEstimate> noise_estimate;  ///< where the noise was to be estimated
   Diagnostics diagnostics;
+
+  /// Evidence of the best alternative over that of the result, in [0, 1]; near 1: ambiguous. 0
+  /// where no alternative was found.
+  double runner_up_ratio() const {
+    return alternatives.empty() ? 0 : alternatives.front().evidence / evidence;
+  }
 };
 
 /// "ok", "too_few_correspondences", "no_consensus" or "degenerate".
