@@ -55,7 +55,7 @@ Matches read_matches(const std::filesystem::path& path) {
     const std::size_t line = rows.lines.empty() ? 0 : rows.lines[static_cast<std::size_t>(i)];
     throw IoError(path, line, "row " + std::to_string(i) + " (from 0): a value is not finite");
   }
-  return {rows.values.topRows<3>(), rows.values.bottomRows<3>()};
+  return {rows.values.topRows<3>(), rows.values.bottomRows<3>(), {}};
 }
 
 void write_matches(const std::filesystem::path& path, const PointsRef& source,

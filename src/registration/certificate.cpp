@@ -13,7 +13,9 @@ Index max_members(Index num_pairs) {
 }
 
 Certificate certify(Index lower, Index upper) {
-  return {lower, std::max(lower, upper), upper <= lower};
+  const EvidenceCertificate evidence{static_cast<double>(lower),
+                                     static_cast<double>(std::max(lower, upper)), upper <= lower};
+  return {lower, std::max(lower, upper), upper <= lower, evidence};
 }
 
 }  // namespace gmcr
