@@ -8,8 +8,8 @@
 namespace gmcr {
 namespace {
 
-/// Calls visit(i, j, max_scale) for each pair whose target points are within eps_i + eps_j until it
-/// returns false.
+/// Calls visit(i, j, max_scale) for each pair whose target points are within kReach (eps_i + eps_j)
+/// until it returns false.
 template <typename Visit>
 bool for_each_partner(const Correspondences& c, const Visit& visit) {
   if (c.size() == 0) return true;
@@ -20,13 +20,14 @@ bool for_each_partner(const Correspondences& c, const Visit& visit) {
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](Index i, Index j) { return c.target(axis, i) < c.target(axis, j); });
+  constexpr double kReach = DistinctEvidence::kReach;
   const double max_bound = c.bounds.maxCoeff();
   for (std::size_t p = 0; p < order.size(); ++p) {
     const Index i = order[p];
     for (std::size_t q = p + 1; q < order.size(); ++q) {
       const Index j = order[q];
-      if (c.target(axis, j) - c.target(axis, i) > c.bounds[i] + max_bound) break;
-      const double bound = c.bounds[i] + c.bounds[j];
+      if (c.target(axis, j) - c.target(axis, i) > kReach * (c.bounds[i] + max_bound)) break;
+      const double bound = kReach * (c.bounds[i] + c.bounds[j]);
       if ((c.target.col(j) - c.target.col(i)).squaredNorm() > bound * bound) continue;
       const double length = (c.source.col(j) - c.source.col(i)).norm();
       const double max_scale =

@@ -10,11 +10,17 @@ namespace gmcr {
 
 /// Weights of distinct evidence (L6).
 ///
-/// A pair with |bbar_k| <= eps_k and s |abar_k| <= eps_k constrains neither scale nor rotation: its
-/// two members are one piece of evidence seen twice. Correspondence i weighs
-///   w_i(s) = 1 / (1 + number of such partners of i at scale s).
+/// A pair with |bbar_k| <= eps_k and s |abar_k| <= eps_k constrains neither scale nor rotation, and
+/// one a little longer hardly does: its two members are one piece of evidence seen twice.
+/// Correspondence i weighs
+///   w_i(s) = 1 / (1 + number of its partners at scale s),
+/// partners being the pairs with |bbar_k| <= kReach eps_k and s |abar_k| <= kReach eps_k.
 class DistinctEvidence {
  public:
+  /// Partners at half as much again as the design's 1 tell clusters of outliers from inliers where
+  /// these are few; farther ones would take dense inliers for copies.
+  static constexpr double kReach = 1.5;
+
   /// Finds all pairs that can be partners at some scale. Cost O(N log N + pairs that are near along
   /// x).
   /// @param max_bytes  for the list of partners. Where it does not suffice, `complete()` is false

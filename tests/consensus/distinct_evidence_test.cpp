@@ -16,7 +16,7 @@ Eigen::ArrayXd weights_of(const Correspondences& correspondences, double scale) 
   return weights;
 }
 
-TEST(DistinctEvidence, CountsThePartnersOfL6) {
+TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
   testing::RandomGeometry random(1);
   Correspondences c{random.in_cube(80), random.in_cube(80), Eigen::ArrayXd(80)};
   for (double& bound : c.bounds) bound = random.uniform(0.02, 0.15);
@@ -26,7 +26,7 @@ TEST(DistinctEvidence, CountsThePartnersOfL6) {
     for (Index i = 0; i < 80; ++i) {
       int partners = 0;
       for (Index j = 0; j < 80; ++j) {
-        const double bound = c.bounds[i] + c.bounds[j];
+        const double bound = DistinctEvidence::kReach * (c.bounds[i] + c.bounds[j]);
         partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
                     scale * (c.source.col(j) - c.source.col(i)).norm() <= bound;
       }
