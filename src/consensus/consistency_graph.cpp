@@ -1,9 +1,8 @@
 #include "consensus/consistency_graph.hpp"
 
-#include <algorithm>
 #include <limits>
 
-#include "kernels/bit_block.hpp"
+#include "consensus/mirror.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr {
@@ -11,21 +10,6 @@ namespace {
 
 constexpr Index kBlock = BitsetGraph::kBitsPerWord;
 constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-
-/// Writes word `row_block` of the rows of block `column_block`, transposed, below the diagonal.
-void mirror_block(BitsetGraph& graph, Index row_block, Index column_block) {
-  kernels::BitBlock bits{};
-  for (Index r = 0; r < kBlock; ++r) {
-    bits[static_cast<std::size_t>(r)] =
-        graph.row(row_block * kBlock + r)[static_cast<std::size_t>(column_block)];
-  }
-  kernels::transpose(bits);
-  const Index num_rows = std::min(kBlock, graph.num_vertices() - column_block * kBlock);
-  for (Index r = 0; r < num_rows; ++r) {
-    graph.mutable_row(column_block * kBlock + r)[static_cast<std::size_t>(row_block)] =
-        bits[static_cast<std::size_t>(r)];
-  }
-}
 
 }  // namespace
 
@@ -45,7 +29,6 @@ kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspo
 BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
                               int num_threads) {
   BitsetGraph graph(arrays.size());
-  const Index num_blocks = graph.words_per_row();
   const int threads = arrays.size() < kSmall ? 1 : num_threads;
   // the words from the diagonal on; the others mirror them
   parallel_for(graph.num_vertices(), kBlock, threads, [&](Index begin, Index end) {
@@ -54,9 +37,7 @@ BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const
                                begin / kBlock);
     }
   });
-  parallel_for(num_blocks, 1, threads, [&](Index block, Index) {
-    for (Index column = 0; column < block; ++column) mirror_block(graph, column, block);
-  });
+  mirror_upper_blocks(graph, threads);
   return graph;
 }
 

@@ -12,6 +12,9 @@ namespace gmcr {
 ///   first, so that R is not unique.
 std::optional<Eigen::Matrix3d> rotation_from_covariance(const Eigen::Matrix3d& covariance);
 
+/// The least rotation that turns the axis of a cross-covariance of rank 1 onto its image.
+Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance);
+
 /// Rotation that maps the vectors of `a` onto those of `b` best in the least-squares sense.
 ///
 /// Solves  min_R  sum_k |b_k - R a_k|^2  over SO(3)  (Arun et al. 1987; reflection as in Umeyama

@@ -15,4 +15,13 @@ Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices
   return {centred.colwise().norm().maxCoeff(), off_axis.colwise().norm().maxCoeff()};
 }
 
+double reach_from_line(const PointsRef& points, const std::vector<Index>& indices,
+                       const Eigen::Vector3d& direction) {
+  if (indices.empty()) return 0;
+  const Points chosen = points(Eigen::all, indices);
+  const Points centred = chosen.colwise() - chosen.rowwise().mean().eval();
+  const Eigen::Vector3d axis = direction.stableNormalized();
+  return (centred - axis * (axis.transpose() * centred)).colwise().norm().maxCoeff();
+}
+
 }  // namespace gmcr

@@ -16,4 +16,8 @@ struct Spread {
 /// Cost O(number of indices). An empty set has no spread.
 Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices);
 
+/// Longest distance of the points from the line along `direction` through their centroid, metres.
+double reach_from_line(const PointsRef& points, const std::vector<Index>& indices,
+                       const Eigen::Vector3d& direction);
+
 }  // namespace gmcr

@@ -25,8 +25,9 @@ Index search_known_scale(PoseSearch& search) {
 }  // namespace
 
 MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
-                        const ScaleRange& scales) {
-  PoseSearch search(context, objective, scales);
+                        const PoseConstraints& constraints, const PairFilter& filter) {
+  PoseSearch search(context, objective, constraints, filter);
+  const ScaleRange& scales = constraints.scales;
   MethodResult result;
   result.upper_bound =
       scales.min == scales.max ? search_known_scale(search) : search_scales(search);

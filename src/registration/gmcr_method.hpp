@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "consensus/pair_filter.hpp"
+#include "estimation/pose_constraints.hpp"
 #include "registration/objective.hpp"
 #include "registration/solve_context.hpp"
 
@@ -10,12 +12,13 @@ namespace gmcr {
 /// What a method found, between the centred frames, and proved.
 struct MethodResult {
   std::optional<Similarity> target_from_source;
-  Index upper_bound = 0;  ///< proven: no pose has more inliers
+  /// Proven: no admitted pose has more inliers; with one-to-one, of which no two share a point.
+  Index upper_bound = 0;
 };
 
 /// `Method::Gmcr`: candidate cliques judged by the objective, bounds from clique numbers.
-/// @param scales  where the scale must lie; min == max: it is known.
+/// @param filter  what the priors and one-to-one say of pairs.
 MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
-                        const ScaleRange& scales);
+                        const PoseConstraints& constraints, const PairFilter& filter);
 
 }  // namespace gmcr

@@ -44,8 +44,8 @@ JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const Bits
       deadline_(deadline),
       moments_(static_cast<std::size_t>(arrays.size())) {
   for (Index i = 0; i < arrays.size(); ++i) {
-    moments_[static_cast<std::size_t>(i)].add(1 / (arrays.bounds[i] * arrays.bounds[i]),
-                                              arrays.source.row(i), arrays.target.row(i));
+    moments_[static_cast<std::size_t>(i)] = point_moments(
+        arrays.source.row(i), arrays.target.row(i), 1 / (arrays.bounds[i] * arrays.bounds[i]));
   }
 }
 
@@ -171,7 +171,7 @@ void JointSearch::drop_misfits(Node& node) const {
   const auto fits = [&](std::initializer_list<Index> others) {
     const auto num_others = static_cast<double>(others.size());
     const double share = std::min(num_kept / (num_kept + num_others), 0.5);
-    AlignmentMoments sum = node.moments * (share / num_kept);
+    Moments sum = node.moments * (share / num_kept);
     for (const Index v : others) {
       sum += moments_[static_cast<std::size_t>(node.open[static_cast<std::size_t>(v)])] *
              ((1 - share) / num_others);

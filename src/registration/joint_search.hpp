@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "estimation/alignment_moments.hpp"
+#include "estimation/moments.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
@@ -48,7 +48,7 @@ class JointSearch {
     std::vector<Index> kept;
     std::vector<Index> open;
     BitsetGraph graph;  ///< over `open`: the pairs that may fit jointly with `kept`
-    AlignmentMoments moments;
+    Moments moments;
     double kept_weight = 0;
   };
   struct Conflict {
@@ -74,7 +74,7 @@ class JointSearch {
   ScaleRange scales_;
   Offer offer_;
   const Deadline& deadline_;
-  std::vector<AlignmentMoments> moments_;  ///< of each correspondence, in units of its bound
+  std::vector<Moments> moments_;  ///< of each correspondence, in units of its bound
   double to_beat_ = 0;
 };
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "gmcr/options.hpp"
+#include "estimation/pose_constraints.hpp"
 #include "registration/objective.hpp"
 
 namespace gmcr {
 
 /// Best pose met while fitting to the consensus set of the pose, again and again: within 2 eps, 1.5
 /// eps, then eps until the set no longer changes.
-/// @param scales  where the scale must lie.
+/// @param constraints  what the pose must satisfy.
 /// @return never worse than `start` by the objective.
-Hypothesis optimise_locally(const Objective& objective, const ScaleRange& scales,
+Hypothesis optimise_locally(const Objective& objective, const PoseConstraints& constraints,
                             const Similarity& start);
 
 /// Tries to bring correspondences just outside the consensus set inside it.
@@ -19,7 +19,7 @@ Hypothesis optimise_locally(const Objective& objective, const ScaleRange& scales
 /// 1961); the correspondence that holds it back most is given up, and so on.
 /// @param must_exceed  evidence of a rival: nothing is tried where all within reach give no more.
 /// @return never worse than `best` by the objective.
-Hypothesis reach_for_more(const Objective& objective, const ScaleRange& scales, Hypothesis best,
-                          double must_exceed = 0);
+Hypothesis reach_for_more(const Objective& objective, const PoseConstraints& constraints,
+                          Hypothesis best, double must_exceed = 0);
 
 }  // namespace gmcr

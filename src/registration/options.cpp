@@ -46,6 +46,7 @@ void Options::validate() const {
     require(scale_range->min <= scale_range->max, "scale_range.min", scale_range->min,
             "exceeds scale_range.max");
   }
+  priors.validate();
   require(num_threads >= 0, "num_threads", num_threads, "is negative");
   require(num_threads <= kMaxThreads, "num_threads", num_threads, "exceeds 1024");
   require(budget.time > 0, "budget.time", budget.time, "is not a positive number of seconds");

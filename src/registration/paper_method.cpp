@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "consensus/consistency_graph.hpp"
-#include "estimation/similarity_fit.hpp"
+#include "estimation/constrained_fit.hpp"
 #include "registration/certificate.hpp"
 #include "registration/stages.hpp"
 
@@ -38,12 +38,25 @@ void require_memory_for_tims(const SolveContext& context, Index num_corresponden
                               std::to_string(bytes));
 }
 
+/// All pairs that the filter admits, in lexicographic order.
+std::vector<Pair> admitted_pairs(Index num_correspondences, const ScaleRange& scales,
+                                 const PairFilter& filter) {
+  std::vector<Pair> pairs = all_pairs(num_correspondences);
+  if (!filter.is_empty()) {
+    std::erase_if(pairs, [&](const Pair& pair) {
+      return !filter.admits_pair(pair.first, pair.second, scales);
+    });
+  }
+  return pairs;
+}
+
 /// Unknown scale: keep the pairs of the maximum clique of the scale consensus graph.
 std::optional<Pruned> prune_by_scale(SolveContext& context, const Correspondences& correspondences,
-                                     const ScaleRange& scales) {
+                                     const ScaleRange& scales, const PairFilter& filter) {
   const StageTimer timer(context, "scale");
   require_memory_for_tims(context, correspondences.size());
-  const Tims tims = make_tims(correspondences, all_pairs(correspondences.size()));
+  const Tims tims =
+      make_tims(correspondences, admitted_pairs(correspondences.size(), scales, filter));
   const auto consensus = scale_consensus(tims, scales);
   if (!consensus) return std::nullopt;
   return Pruned{select(tims, consensus->tims), consensus->scale,
@@ -53,10 +66,12 @@ std::optional<Pruned> prune_by_scale(SolveContext& context, const Correspondence
 /// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al.
 /// 2019).
 std::optional<Pruned> prune_by_consistency(SolveContext& context,
-                                           const Correspondences& correspondences, double scale) {
+                                           const Correspondences& correspondences, double scale,
+                                           const PairFilter& filter) {
   const StageTimer timer(context, "graph");
-  const BitsetGraph graph = consistency_graph(consistency_arrays(correspondences, scale),
-                                              {scale, scale}, context.options().num_threads);
+  BitsetGraph graph = consistency_graph(consistency_arrays(correspondences, scale), {scale, scale},
+                                        context.options().num_threads);
+  filter.apply(graph, {scale, scale}, context.options().num_threads);
   const CliqueResult clique = context.max_clique(graph, {});
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;
@@ -91,12 +106,13 @@ Tims within_memory(SolveContext& context, Tims tims) {
 }  // namespace
 
 MethodResult solve_paper(SolveContext& context, const Correspondences& correspondences,
-                         const ScaleRange& scales) {
+                         const PoseConstraints& constraints, const PairFilter& filter) {
+  const ScaleRange& scales = constraints.scales;
   MethodResult result;
   result.upper_bound = correspondences.size();
   const auto pruned = scales.min == scales.max
-                          ? prune_by_consistency(context, correspondences, scales.min)
-                          : prune_by_scale(context, correspondences, scales);
+                          ? prune_by_consistency(context, correspondences, scales.min, filter)
+                          : prune_by_scale(context, correspondences, scales, filter);
   if (!pruned) return result;
   result.upper_bound = std::min(result.upper_bound, pruned->upper_bound);
 
@@ -110,8 +126,8 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
     std::vector<Index> all(static_cast<std::size_t>(tims.size()));
     std::iota(all.begin(), all.end(), Index{0});
     result.target_from_source =
-        fit_similarity(correspondences.source, correspondences.target, correspondences.bounds,
-                       touched_correspondences(tims, all), {pruned->scale, pruned->scale});
+        fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
+                 touched_correspondences(tims, all), at_scale(constraints, pruned->scale));
     return result;
   }
 
@@ -122,8 +138,15 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
   if (!rotation->proven || !translation.proven) {
     context.limit("the clique search of a rotation or translation graph ended before its proof");
   }
-  result.target_from_source =
-      Similarity{pruned->scale, rotation->rotation, translation.translation};
+  if (constraints.priors.empty()) {
+    result.target_from_source =
+        Similarity{pruned->scale, rotation->rotation, translation.translation};
+  } else {
+    // the stages know of the priors what single pairs say; the pose has to satisfy them
+    result.target_from_source =
+        fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
+                 translation.correspondences, at_scale(constraints, pruned->scale));
+  }
   return result;
 }
 

@@ -6,8 +6,8 @@ namespace gmcr {
 
 /// `Method::Paper`: the stages of the paper one after the other, one maximum clique each, on all of
 /// the input; where memory or time binds, the diagnostics say so.
-/// @param scales  where the scale must lie; min == max: it is known.
+/// @param filter  what the priors and one-to-one say of pairs.
 MethodResult solve_paper(SolveContext& context, const Correspondences& correspondences,
-                         const ScaleRange& scales);
+                         const PoseConstraints& constraints, const PairFilter& filter);
 
 }  // namespace gmcr

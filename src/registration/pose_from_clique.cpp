@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "estimation/similarity_fit.hpp"
+#include "estimation/constrained_fit.hpp"
 #include "registration/local_optimisation.hpp"
 #include "registration/stages.hpp"
 
@@ -39,9 +39,11 @@ Tims longest_tims(const Correspondences& correspondences, const std::vector<Inde
 
 /// Scale (where it is not known), rotation and translation stage on the TIMs of a clique.
 std::optional<Similarity> staged_pose(SolveContext& context, const Correspondences& correspondences,
-                                      const ScaleRange& scales, const std::vector<Index>& clique) {
+                                      const PoseConstraints& constraints,
+                                      const std::vector<Index>& clique) {
   const Tims tims = longest_tims(correspondences, clique);
   Similarity pose;
+  const ScaleRange& scales = constraints.scales;
   pose.scale = scales.min;
   if (scales.min < scales.max) {
     const auto scale = scale_consensus(tims, scales);
@@ -51,30 +53,32 @@ std::optional<Similarity> staged_pose(SolveContext& context, const Correspondenc
   const auto rotation = rotation_consensus(context, tims, pose.scale, kMaxCliqueNodes);
   if (!rotation) return std::nullopt;
   pose.rotation = rotation->rotation;
-  pose.translation =
+  const TranslationConsensus translation =
       translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
-                            pose.scale, pose.rotation, kMaxCliqueNodes)
-          .translation;
-  return pose;
+                            pose.scale, pose.rotation, kMaxCliqueNodes);
+  pose.translation = translation.translation;
+  if (constraints.priors.empty()) return pose;
+  return fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
+                  translation.correspondences, at_scale(constraints, pose.scale));
 }
 
 }  // namespace
 
 std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objective& objective,
-                                           const ScaleRange& scales,
+                                           const PoseConstraints& constraints,
                                            const std::vector<Index>& clique) {
   const Correspondences& c = objective.correspondences();
-  const auto direct = fit_similarity(c.source, c.target, c.bounds, clique, scales);
+  const auto direct = fit_pose(c.source, c.target, c.bounds, clique, constraints);
   if (!direct) return std::nullopt;
   ++context.diagnostics().num_candidates;
-  Hypothesis best = optimise_locally(objective, scales, *direct);
+  Hypothesis best = optimise_locally(objective, constraints, *direct);
   if (std::includes(best.inliers.begin(), best.inliers.end(), clique.begin(), clique.end())) {
     return best;
   }
-  const auto staged = staged_pose(context, c, scales, clique);
+  const auto staged = staged_pose(context, c, constraints, clique);
   if (!staged) return best;
   ++context.diagnostics().num_candidates;
-  Hypothesis other = optimise_locally(objective, scales, *staged);
+  Hypothesis other = optimise_locally(objective, constraints, *staged);
   return is_better(other, best) ? other : best;
 }
 

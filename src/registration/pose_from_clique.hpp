@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "gmcr/options.hpp"
+#include "estimation/pose_constraints.hpp"
 #include "registration/objective.hpp"
 #include "registration/solve_context.hpp"
 
@@ -14,10 +14,10 @@ namespace gmcr {
 /// First the closed form on the whole clique. Where the pose does not hold all of the clique, which
 /// pairwise distances allow (mirrored and loosely fitting sets), also the rotation and translation
 /// stages on its longest TIMs.
-/// @param scales  where the scale must lie.
-/// @return nullopt where the clique has fewer than 3 vertices.
+/// @param constraints  what the pose must satisfy.
+/// @return nullopt where the clique has fewer than 3 vertices or leads to no admitted pose.
 std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objective& objective,
-                                           const ScaleRange& scales,
+                                           const PoseConstraints& constraints,
                                            const std::vector<Index>& clique);
 
 }  // namespace gmcr

@@ -47,20 +47,22 @@ std::vector<Start> list_starts(PoseSearch& search, const RangeGraph& range) {
 
 }  // namespace
 
-PoseSearch::PoseSearch(SolveContext& context, const Objective& objective, const ScaleRange& scales)
+PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
+                       const PoseConstraints& constraints, const PairFilter& filter)
     : context_(context),
       objective_(objective),
-      scales_(scales),
-      arrays_(consistency_arrays(objective.correspondences(), scales.max)) {}
+      constraints_(constraints),
+      filter_(filter),
+      arrays_(consistency_arrays(objective.correspondences(), constraints.scales.max)) {}
 
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
-  std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, scales_, clique);
+  std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, constraints_, clique);
   if (!pose) return;
   // a rival is measured by what it can reach, as the best so far was
-  Hypothesis reached = reach_for_more(objective_, scales_, std::move(*pose), best_evidence());
-  max_inliers_ = std::max(max_inliers_, reached.num_inliers());
+  Hypothesis reached = reach_for_more(objective_, constraints_, std::move(*pose), best_evidence());
+  max_inliers_ = std::max(max_inliers_, filter_.count_one_to_one(reached.inliers));
   if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
 }
 
@@ -68,7 +70,9 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
                              const std::function<BitsetGraph()>& build) {
   const StageTimer timer(search.context(), "graph");
   ++search.context().diagnostics().num_scale_ranges;
-  return {scales, build()};
+  RangeGraph range{scales, build()};
+  search.filter().apply(range.graph, scales, search.context().options().num_threads);
+  return range;
 }
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {

@@ -5,6 +5,8 @@
 #include <set>
 #include <vector>
 
+#include "consensus/pair_filter.hpp"
+#include "estimation/pose_constraints.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "kernels/consistency_row.hpp"
@@ -16,12 +18,14 @@ namespace gmcr {
 /// The best pose so far, and what a better one must exceed.
 class PoseSearch {
  public:
-  /// @param scales  where the scale must lie; min == max: it is known. Keeps the references.
-  PoseSearch(SolveContext& context, const Objective& objective, const ScaleRange& scales);
+  /// Keeps the references.
+  PoseSearch(SolveContext& context, const Objective& objective, const PoseConstraints& constraints,
+             const PairFilter& filter);
 
   SolveContext& context() { return context_; }
   const Objective& objective() const { return objective_; }
-  const ScaleRange& scales() const { return scales_; }
+  const ScaleRange& scales() const { return constraints_.scales; }
+  const PairFilter& filter() const { return filter_; }
   const kernels::CorrespondenceArrays& arrays() const { return arrays_; }
 
   /// Turns a clique into a pose and keeps it where it is the best one. Each clique is examined
@@ -31,20 +35,22 @@ class PoseSearch {
   const std::optional<Hypothesis>& best() const { return best_; }
   double best_evidence() const { return best_ ? best_->evidence : 0; }
 
-  /// Most inliers of any pose examined; the best one may have fewer, of more distinct evidence.
+  /// Most inliers of any pose examined, one-to-one where that is asked for; the best one may have
+  /// fewer, of more distinct evidence.
   Index max_inliers() const { return max_inliers_; }
 
  private:
   SolveContext& context_;
   const Objective& objective_;
-  ScaleRange scales_;
+  const PoseConstraints& constraints_;
+  const PairFilter& filter_;
   kernels::CorrespondenceArrays arrays_;
   std::optional<Hypothesis> best_;
   Index max_inliers_ = 0;
   std::set<std::vector<Index>> examined_;
 };
 
-/// The consistency graph of a range of scales.
+/// The consistency graph of a range of scales, less the pairs that the filter does not admit.
 struct RangeGraph {
   ScaleRange scales;
   BitsetGraph graph;

@@ -1,10 +1,12 @@
 #include <algorithm>
-#include <map>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
+#include "consensus/pair_filter.hpp"
+#include "estimation/admitted.hpp"
+#include "estimation/pose_constraints.hpp"
 #include "estimation/spread.hpp"
 #include "gmcr/registration.hpp"
 #include "invariants/correspondences.hpp"
@@ -60,30 +62,29 @@ Correspondences correspondences_of(const PointsRef& source, const PointsRef& tar
   return input;
 }
 
-/// The correspondences none of whose end points an earlier one has, ascending.
-std::vector<Index> first_of_each_point(const PointsRef& source, const PointsRef& target) {
-  using Key = std::tuple<double, double, double>;
-  const auto key = [](const PointsRef& points, Index i) {
-    return Key{points(0, i), points(1, i), points(2, i)};
-  };
-  std::map<Key, Index> first_of_source, first_of_target;
-  std::vector<Index> kept;
-  for (Index i = 0; i < source.cols(); ++i) {
-    const Key a = key(source, i), b = key(target, i);
-    if (first_of_source.contains(a) || first_of_target.contains(b)) continue;
-    first_of_source.emplace(a, i);
-    first_of_target.emplace(b, i);
-    kept.push_back(i);
-  }
-  return kept;
+std::vector<Index> indices_below(Index count) {
+  std::vector<Index> indices(static_cast<std::size_t>(count));
+  std::iota(indices.begin(), indices.end(), Index{0});
+  return indices;
 }
 
-std::vector<Index> used_correspondences(const PointsRef& source, const PointsRef& target,
-                                        bool one_to_one) {
-  if (one_to_one) return first_of_each_point(source, target);
-  std::vector<Index> all(static_cast<std::size_t>(source.cols()));
-  std::iota(all.begin(), all.end(), Index{0});
-  return all;
+/// The correspondences that the priors on the translation admit, ascending.
+std::vector<Index> admitted_correspondences(const Correspondences& centred, const Options& options,
+                                            const ScaleRange& scales) {
+  std::vector<Index> admitted = indices_below(centred.size());
+  const PairFilter filter(centred, options.priors, false, scales);
+  std::erase_if(admitted, [&](Index i) { return !filter.admits(i, scales); });
+  return admitted;
+}
+
+/// Bound on all inliers of a pose from one on those of which no two share a point.
+///
+/// Let nu(S) be the size of a largest one-to-one subset of S. Adding a correspondence to S raises
+/// nu by at most 1, so |S| - nu(S) never falls as S grows: |S| <= nu(S) + |all| - nu(all), and any
+/// one-to-one subset of all has at most nu(all).
+Index bound_on_all(Index upper_bound, Index num_used, const PairFilter& filter) {
+  return std::min(num_used,
+                  upper_bound + num_used - filter.count_one_to_one(indices_below(num_used)));
 }
 
 /// Why the inliers do not determine the transform; empty where they do.
@@ -91,11 +92,20 @@ std::vector<Index> used_correspondences(const PointsRef& source, const PointsRef
 /// Points that stay within half the noise bound when turned about a line, or scaled about a point,
 /// say nothing about that turn or scale.
 std::string degeneracy_reason(const Points& source, const Similarity& pose,
-                              const std::vector<Index>& inliers, double bound) {
+                              const std::vector<Index>& inliers, double bound,
+                              const Priors& priors) {
+  constexpr double kKnownAxis = std::numbers::pi / 180;
   const Spread spread = measure_spread(source, inliers);
   const double tolerance = std::max(bound / 2, 1e-9 * pose.scale * spread.from_centroid);
   if (pose.scale * spread.from_centroid <= tolerance) {
     return "the inliers coincide within the noise bound: rotation and scale are not determined";
+  }
+  if (priors.gravity && priors.gravity->max_tilt <= kKnownAxis) {
+    // only the rotation about gravity is left, which points off the line along it determine
+    const double reach = reach_from_line(source, inliers, priors.gravity->source);
+    if (pose.scale * reach > tolerance) return {};
+    return "the inliers are on a line along gravity within the noise bound: the rotation about it "
+           "is not determined";
   }
   if (pose.scale * spread.from_line <= tolerance) {
     return "the inliers are collinear within the noise bound: the rotation about their line is not "
@@ -123,13 +133,20 @@ void conclude(Result& result, const Similarity& pose, Index upper_bound,
   result.inliers = judged.inliers;
   result.evidence = judged.evidence;
   result.status_reason = degeneracy_reason(input.source, pose, judged.inliers,
-                                           input.bounds(judged.inliers).maxCoeff());
+                                           input.bounds(judged.inliers).maxCoeff(), options.priors);
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
 }
 
 ScaleRange scales_to_search(const Options& options, const Correspondences& correspondences) {
   if (options.scale_mode == ScaleMode::Known) return {options.scale, options.scale};
   return options.scale_range.value_or(default_scale_range(correspondences));
+}
+
+std::string no_pose_reason(const Diagnostics& diagnostics, const Options& options) {
+  if (!diagnostics.limits_hit.empty()) return "no pose was found before a limit ended the search";
+  return options.priors.empty() ? "no three correspondences agree on a pose"
+                                : "no three correspondences agree on a pose that the priors admit, "
+                                  "as far as was found";
 }
 
 }  // namespace
@@ -140,24 +157,39 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   Result result;
   SolveContext context(options, result.diagnostics);
   const Deadline clock(0);
-  const std::vector<Index> used = used_correspondences(source, target, options.one_to_one);
   Diagnostics& diagnostics = result.diagnostics;
-  diagnostics.num_correspondences = source.cols();
-  diagnostics.num_used = static_cast<Index>(used.size());
+  diagnostics.num_correspondences = diagnostics.num_used = source.cols();
   diagnostics.num_threads = resolve_num_threads(options.num_threads);
-  if (diagnostics.num_used < kMinInliers) {
-    result.status_reason = std::to_string(used.size()) + " correspondences; 3 are needed";
-    result.certificate = certify(0, diagnostics.num_used);
+  const auto give_up = [&](Status status, const std::string& reason, Index upper_bound) {
+    result.status = status;
+    result.status_reason = reason;
+    result.certificate = certify(0, upper_bound);
     diagnostics.total_seconds = clock.elapsed();
     return result;
+  };
+  if (source.cols() < kMinInliers) {
+    return give_up(Status::TooFewCorrespondences,
+                   std::to_string(source.cols()) + " correspondences; 3 are needed", source.cols());
   }
-  context.require_memory_for_graph(diagnostics.num_used);
 
   const Correspondences input = correspondences_of(source, target, options);
-  const Correspondences centred = [&] {
+  Correspondences centred = centre(input.source, input.target, input.bounds);
+  const ScaleRange scales = scales_to_search(options, centred);
+  diagnostics.scale_range = scales;
+  const std::vector<Index> used = admitted_correspondences(centred, options, scales);
+  diagnostics.num_used = static_cast<Index>(used.size());
+  if (diagnostics.num_used < kMinInliers) {
+    return give_up(Status::NoConsensus,
+                   "the priors on the translation admit " + std::to_string(used.size()) +
+                       " correspondences; 3 are needed",
+                   diagnostics.num_used);
+  }
+  context.require_memory_for_graph(diagnostics.num_used);
+  if (diagnostics.num_used < input.size()) {
     const Correspondences kept = subset(input, used);
-    return centre(kept.source, kept.target, kept.bounds);
-  }();
+    centred = centre(kept.source, kept.target, kept.bounds);
+  }
+
   const Objective objective = [&] {
     const StageTimer timer(context, "evidence");
     return Objective(centred, options.evidence, options.budget.memory / 4);
@@ -165,23 +197,21 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   if (!objective.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
   }
-  const ScaleRange scales = scales_to_search(options, centred);
-  diagnostics.scale_range = scales;
-  const MethodResult found = options.method == Method::Gmcr ? solve_gmcr(context, objective, scales)
-                                                            : solve_paper(context, centred, scales);
-  // a correspondence that was dropped may agree with a pose too
-  const Index upper_bound =
-      found.upper_bound + diagnostics.num_correspondences - diagnostics.num_used;
-  if (found.target_from_source) {
-    conclude(result, uncentre(*found.target_from_source, centred), upper_bound, input, objective,
-             options);
-  } else {
-    result.status = Status::NoConsensus;
-    result.status_reason = diagnostics.limits_hit.empty()
-                               ? "no three correspondences agree on a pose"
-                               : "no pose was found before a limit ended the search";
-    result.certificate = certify(0, upper_bound);
+  const PoseConstraints constraints{scales, options.priors, centred.source_origin,
+                                    centred.target_origin};
+  const PairFilter filter(centred, options.priors, options.one_to_one, scales);
+  const MethodResult found = options.method == Method::Gmcr
+                                 ? solve_gmcr(context, objective, constraints, filter)
+                                 : solve_paper(context, centred, constraints, filter);
+  const Index upper_bound = bound_on_all(found.upper_bound, diagnostics.num_used, filter);
+  const auto pose =
+      found.target_from_source
+          ? admitted_pose(uncentre(*found.target_from_source, centred), options.priors)
+          : std::nullopt;
+  if (!pose) {
+    return give_up(Status::NoConsensus, no_pose_reason(diagnostics, options), upper_bound);
   }
+  conclude(result, *pose, upper_bound, input, objective, options);
   diagnostics.total_seconds = clock.elapsed();
   return result;
 }

@@ -1,4 +1,4 @@
-#include "estimation/alignment_moments.hpp"
+#include "estimation/moments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,10 @@
 namespace gmcr {
 namespace {
 
-AlignmentMoments moments_of(const Points& source, const Points& target,
-                            const Eigen::ArrayXd& bounds) {
-  AlignmentMoments moments;
+Moments moments_of(const Points& source, const Points& target, const Eigen::ArrayXd& bounds) {
+  Moments moments;
   for (Index i = 0; i < source.cols(); ++i) {
-    moments.add(1 / (bounds[i] * bounds[i]), source.col(i), target.col(i));
+    moments += point_moments(source.col(i), target.col(i), 1 / (bounds[i] * bounds[i]));
   }
   return moments;
 }
@@ -85,11 +84,11 @@ TEST(LeastSquaresBound, StaysBelowTheTruthFarFromTheOriginAndOnALargeScale) {
   }
 }
 
-TEST(AlignmentMoments, OfAUnionAreTheSum) {
+TEST(Moments, OfAUnionAreTheSum) {
   testing::RandomGeometry random(4);
   const Points source = random.in_cube(9), target = random.in_cube(9);
   const Eigen::ArrayXd bounds = Eigen::ArrayXd::Ones(9);
-  AlignmentMoments sum = moments_of(source.leftCols(4), target.leftCols(4), bounds.head(4));
+  Moments sum = moments_of(source.leftCols(4), target.leftCols(4), bounds.head(4));
   sum += moments_of(source.rightCols(5), target.rightCols(5), bounds.tail(5));
   const double whole = least_squares_bound(moments_of(source, target, bounds), {0.5, 2});
   EXPECT_NEAR(least_squares_bound(sum, {0.5, 2}), whole, 1e-12);
@@ -98,8 +97,8 @@ TEST(AlignmentMoments, OfAUnionAreTheSum) {
 
 TEST(LeastSquaresBound, OfNothingAndOfOnePointIsZero) {
   EXPECT_EQ(least_squares_bound({}, {1, 1}), 0);
-  AlignmentMoments one;
-  one.add(2, {1, 2, 3}, {4, 5, 6});
+  Moments one;
+  one += point_moments({1, 2, 3}, {4, 5, 6}, 2);
   EXPECT_EQ(least_squares_bound(one, {1, 1}), 0);
 }
 

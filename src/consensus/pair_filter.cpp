@@ -1,0 +1,191 @@
+#include "consensus/pair_filter.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "consensus/consistency_graph.hpp"
+#include "consensus/mirror.hpp"
+#include "geometry/angles.hpp"
+#include "parallel/parallel_for.hpp"
+
+namespace gmcr {
+namespace {
+
+/// For each point the first one with the same coordinates.
+std::vector<Index> first_equal_point(const Points& points) {
+  std::map<std::tuple<double, double, double>, Index> first;
+  std::vector<Index> result;
+  for (Index i = 0; i < points.cols(); ++i) {
+    result.push_back(
+        first.try_emplace({points(0, i), points(1, i), points(2, i)}, i).first->second);
+  }
+  return result;
+}
+
+/// |t - centre| <= radius as a correspondence of the origin of the source frame.
+struct TranslationPrior {
+  Eigen::Vector3d centre;
+  double radius = 0;
+};
+
+std::vector<TranslationPrior> translation_priors(const Priors& priors) {
+  std::vector<TranslationPrior> result;
+  if (std::isfinite(priors.max_translation)) {
+    result.push_back({Eigen::Vector3d::Zero(), priors.max_translation});
+  }
+  if (priors.initial_pose && std::isfinite(priors.initial_pose->max_translation)) {
+    result.push_back({priors.initial_pose->target_from_source.translation,
+                      priors.initial_pose->max_translation});
+  }
+  return result;
+}
+
+/// The correspondences and after them the virtual ones, with bounds widened by rounding.
+kernels::CorrespondenceArrays with_virtual(const Correspondences& correspondences,
+                                           const std::vector<TranslationPrior>& translations,
+                                           double scale_max) {
+  kernels::CorrespondenceArrays arrays = consistency_arrays(correspondences, scale_max);
+  const Index n = arrays.size(), count = n + static_cast<Index>(translations.size());
+  if (count == n) return arrays;
+  constexpr double kRounding = 1e-11;  // above what `Priors::admit` grants
+  const double widened = n == 0 ? 0 : (arrays.bounds - correspondences.bounds).maxCoeff();
+  arrays.source.conservativeResize(count, 3);
+  arrays.target.conservativeResize(count, 3);
+  arrays.bounds.conservativeResize(count);
+  Index row = n;
+  for (const auto& [centre, radius] : translations) {
+    arrays.source.row(row) = -correspondences.source_origin.transpose();
+    arrays.target.row(row) = (centre - correspondences.target_origin).transpose();
+    arrays.bounds[row++] = radius + widened + kRounding * (centre.norm() + radius);
+  }
+  return arrays;
+}
+
+Eigen::Vector3d difference(const Eigen::MatrixX3d& points, Index i, Index j) {
+  return {points(j, 0) - points(i, 0), points(j, 1) - points(i, 1), points(j, 2) - points(i, 2)};
+}
+
+}  // namespace
+
+PairFilter::PairFilter(const Correspondences& correspondences, const Priors& priors,
+                       bool one_to_one, const ScaleRange& scales)
+    : num_correspondences_(correspondences.size()), one_to_one_(one_to_one) {
+  const std::vector<TranslationPrior> translations = translation_priors(priors);
+  num_virtual_ = static_cast<Index>(translations.size());
+  arrays_ = with_virtual(correspondences, translations, scales.max);
+  const auto add = [&](AnglePrior prior, double angle) {
+    const double widened = angle + 2 * kAngleSlack;
+    if (widened >= std::numbers::pi) return;
+    prior.cosine = std::cos(widened);
+    prior.sine = std::sin(widened);
+    angles_.push_back(prior);
+  };
+  if (priors.gravity) {
+    AnglePrior prior;
+    prior.about_axis = true;
+    prior.source = priors.gravity->source.stableNormalized();
+    prior.target = priors.gravity->target.stableNormalized();
+    add(prior, priors.gravity->max_tilt);
+  }
+  if (priors.initial_pose) {
+    AnglePrior prior;
+    prior.rotation = exact_rotation(priors.initial_pose->target_from_source.rotation);
+    add(prior, priors.initial_pose->max_rotation);
+  }
+  if (!one_to_one_) return;
+  source_point_ = first_equal_point(correspondences.source);
+  target_point_ = first_equal_point(correspondences.target);
+}
+
+bool PairFilter::AnglePrior::admits(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                    double bound, const ScaleRange& scales) const {
+  // cosine and sine of the angle between the pair's two vectors, times |a| |b|
+  double dot = 0, cross = 0;
+  if (about_axis) {
+    const double a_along = a.dot(source), a_across = a.cross(source).norm();
+    const double b_along = b.dot(target), b_across = b.cross(target).norm();
+    dot = a_along * b_along + a_across * b_across;
+    cross = std::abs(a_across * b_along - a_along * b_across);
+  } else {
+    const Eigen::Vector3d image = rotation * a;
+    dot = image.dot(b);
+    cross = image.cross(b).norm();
+  }
+  // the same of delta, that angle less the one that the prior leaves
+  const double sine_delta = cross * cosine - dot * sine;
+  if (sine_delta <= 0) return true;
+  const double cosine_delta = dot * cosine + cross * sine;
+  const double length = a.norm();
+  const double along = cosine_delta / length, across = sine_delta / length;
+  const double off = along - std::clamp(along, scales.min * length, scales.max * length);
+  return off * off + across * across <= bound * bound;
+}
+
+bool PairFilter::admits_rotation(Index i, Index j, const ScaleRange& scales) const {
+  const Eigen::Vector3d a = difference(arrays_.source, i, j), b = difference(arrays_.target, i, j);
+  const double bound = arrays_.bounds[i] + arrays_.bounds[j];
+  return std::all_of(angles_.begin(), angles_.end(),
+                     [&](const AnglePrior& prior) { return prior.admits(a, b, bound, scales); });
+}
+
+bool PairFilter::share_end_point(Index i, Index j) const {
+  const auto p = static_cast<std::size_t>(i), q = static_cast<std::size_t>(j);
+  return source_point_[p] == source_point_[q] || target_point_[p] == target_point_[q];
+}
+
+bool PairFilter::admits(Index i, const ScaleRange& scales) const {
+  for (Index v = num_correspondences_; v < num_correspondences_ + num_virtual_; ++v) {
+    if (!kernels::is_consistent(arrays_, i, v, scales.min, scales.max)) return false;
+    if (!admits_rotation(i, v, scales)) return false;
+  }
+  return true;
+}
+
+bool PairFilter::admits_pair(Index i, Index j, const ScaleRange& scales) const {
+  if (one_to_one_ && share_end_point(i, j)) return false;
+  return kernels::is_consistent(arrays_, i, j, scales.min, scales.max) &&
+         admits_rotation(i, j, scales);
+}
+
+void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const {
+  if (angles_.empty() && !one_to_one_) return;
+  constexpr Index kBlock = BitsetGraph::kBitsPerWord;
+  constexpr Index kSmall = 512;  // starting threads would take longer than the rows
+  const int threads = graph.num_vertices() < kSmall ? 1 : num_threads;
+  parallel_for(graph.num_vertices(), kBlock, threads, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const auto row = graph.mutable_row(i);
+      for (auto word = static_cast<std::size_t>(begin / kBlock); word < row.size(); ++word) {
+        for (BitsetGraph::Word left = row[word]; left != 0; left &= left - 1) {
+          const Index j = static_cast<Index>(word) * kBlock + std::countr_zero(left);
+          if ((one_to_one_ && share_end_point(i, j)) || !admits_rotation(i, j, scales)) {
+            row[word] &= ~(left & -left);
+          }
+        }
+      }
+    }
+  });
+  mirror_upper_blocks(graph, threads);
+}
+
+Index PairFilter::count_one_to_one(const std::vector<Index>& indices) const {
+  if (!one_to_one_) return static_cast<Index>(indices.size());
+  std::vector<bool> source_taken(source_point_.size()), target_taken(target_point_.size());
+  Index count = 0;
+  for (const Index i : indices) {
+    const auto source = static_cast<std::size_t>(source_point_[static_cast<std::size_t>(i)]);
+    const auto target = static_cast<std::size_t>(target_point_[static_cast<std::size_t>(i)]);
+    if (source_taken[source] || target_taken[target]) continue;
+    source_taken[source] = target_taken[target] = true;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace gmcr

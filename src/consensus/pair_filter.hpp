@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "gmcr/bitset_graph.hpp"
+#include "gmcr/options.hpp"
+#include "gmcr/priors.hpp"
+#include "invariants/correspondences.hpp"
+#include "kernels/consistency_row.hpp"
+
+namespace gmcr {
+
+/// What is known beforehand, as a test of single pairs: which pairs can be inliers of one pose that
+/// the priors admit, and, one-to-one, share no end point.
+///
+/// A prior on the rotation bounds the angle delta between R abar_k and bbar_k from below: gravity
+/// by | angle(bbar_k, target) - angle(abar_k, source) | - max_tilt, an initial rotation R0 by
+/// angle(bbar_k, R0 abar_k) - max_rotation. The pair is admitted iff bbar_k is within eps_k of a
+/// point at the angle delta from it, at a radius in [s1 |abar_k|, s2 |abar_k|]. With delta = 0 that
+/// is L1.
+///
+/// A prior on the translation is a correspondence too: the origin of the source frame maps to t, so
+/// |t - t0| <= T says that origin -> t0 is an inlier of bound T. What has no edge to it is no
+/// inlier of any admitted pose.
+///
+/// No true edge is lost to rounding, in the same sense as in `consistency_arrays`.
+class PairFilter {
+ public:
+  /// @param priors  valid, of the transform between the caller's frames.
+  /// @param scales  the widest range of scales that is asked for.
+  /// Cost O(N log N).
+  PairFilter(const Correspondences& correspondences, const Priors& priors, bool one_to_one,
+             const ScaleRange& scales);
+
+  /// Whether nothing is known: all that L1 admits is admitted.
+  bool is_empty() const { return angles_.empty() && num_virtual_ == 0 && !one_to_one_; }
+
+  /// Whether some pose with a scale in the range that the priors on the translation and the
+  /// rotation admit can have correspondence i as an inlier.
+  bool admits(Index i, const ScaleRange& scales) const;
+
+  /// Whether some pose with a scale in the range that the priors on the rotation admit can have
+  /// both as inliers, and both are wanted.
+  bool admits_pair(Index i, Index j, const ScaleRange& scales) const;
+
+  /// Removes the edges that are not admitted from a consistency graph of the range of scales.
+  /// Deterministic. Cost O(N^2 / 64 + edges).
+  void apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const;
+
+  /// Size of a maximal subset of `indices` of which no two share an end point, the earliest first;
+  /// their number where sharing is not forbidden.
+  Index count_one_to_one(const std::vector<Index>& indices) const;
+
+ private:
+  /// A prior on the rotation: the angle that remains, and how the angle of a pair is measured.
+  struct AnglePrior {
+    bool about_axis = false;         ///< gravity; else an initial rotation
+    Eigen::Vector3d source, target;  ///< unit directions of gravity
+    Eigen::Matrix3d rotation;        ///< R0
+    double cosine = 1, sine = 0;     ///< of the largest tilt or rotation
+
+    bool admits(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double bound,
+                const ScaleRange& scales) const;
+  };
+
+  bool admits_rotation(Index i, Index j, const ScaleRange& scales) const;
+  bool share_end_point(Index i, Index j) const;
+
+  kernels::CorrespondenceArrays arrays_;  ///< the correspondences, then the virtual ones
+  Index num_correspondences_ = 0, num_virtual_ = 0;
+  std::vector<AnglePrior> angles_;
+  bool one_to_one_ = false;
+  std::vector<Index> source_point_, target_point_;  ///< equal where the coordinates are
+};
+
+}  // namespace gmcr

@@ -1,0 +1,99 @@
+#include "estimation/constrained_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/admitted.hpp"
+#include "estimation/moments.hpp"
+#include "estimation/similarity_fit.hpp"
+
+namespace gmcr {
+namespace {
+
+/// A prior on the translation: the origin of the caller's source frame maps into a ball.
+struct Ball {
+  Eigen::Vector3d source, target;  ///< that origin and the ball's centre, in the centred frames
+  double radius = 0;
+
+  double excess(const Similarity& pose) const { return (pose * source - target).norm() - radius; }
+};
+
+std::vector<Ball> balls(const PoseConstraints& constraints) {
+  std::vector<Ball> result;
+  const auto add = [&](const Eigen::Vector3d& centre, double radius) {
+    if (!std::isfinite(radius)) return;
+    result.push_back({-constraints.source_origin, centre - constraints.target_origin, radius});
+  };
+  add(Eigen::Vector3d::Zero(), constraints.priors.max_translation);
+  if (const auto& initial = constraints.priors.initial_pose) {
+    add(initial->target_from_source.translation, initial->max_translation);
+  }
+  return result;
+}
+
+std::optional<Similarity> fit_rotation_first(const Moments& moments,
+                                             const PoseConstraints& constraints) {
+  const auto rotation = admitted_rotation(moments.covariance, constraints.priors);
+  if (!rotation) return std::nullopt;
+  return fit_with_rotation(moments, *rotation, constraints.scales);
+}
+
+/// The fit that takes the origin just into the ball.
+///
+/// The origin may be far from the points, where a small turn moves it a lot: it joins the fit as a
+/// correspondence, with the least weight that suffices (the Lagrange multiplier of the prior).
+std::optional<Similarity> pull_into(const Ball& ball, const Moments& moments,
+                                    const PoseConstraints& constraints) {
+  constexpr int kSteps = 40;
+  const auto fit_with_weight = [&](double log_share) {
+    Moments with_origin = moments;
+    with_origin += point_moments(ball.source, ball.target, moments.weight * std::exp(log_share));
+    return fit_rotation_first(with_origin, constraints);
+  };
+  double low = std::log(1e-9), high = std::log(1e9);  // of the weight over that of all others
+  std::optional<Similarity> best = fit_with_weight(high);
+  for (int step = 0; step < kSteps && best && ball.excess(*best) <= 0; ++step) {
+    const double middle = (low + high) / 2;
+    const auto fit = fit_with_weight(middle);
+    const bool inside = fit && ball.excess(*fit) <= 0;
+    (inside ? high : low) = middle;
+    if (inside) best = fit;
+  }
+  return best;
+}
+
+/// Moves the translation to the nearest that the priors admit.
+std::optional<Similarity> clamp_translation(const Similarity& centred,
+                                            const PoseConstraints& constraints) {
+  // the translation between the caller's frames, and back
+  const Eigen::Vector3d shift =
+      constraints.target_origin - centred.scale * (centred.rotation * constraints.source_origin);
+  const auto admitted = admitted_translation(centred.translation + shift, constraints.priors);
+  if (!admitted) return std::nullopt;
+  Similarity clamped = centred;
+  clamped.translation = *admitted - shift;
+  return clamped;
+}
+
+}  // namespace
+
+std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
+                                   const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
+                                   const PoseConstraints& constraints) {
+  if (constraints.priors.empty()) {
+    return fit_similarity(source, target, bounds, indices, constraints.scales);
+  }
+  if (indices.size() < 3) return std::nullopt;
+  const Moments moments = measure_moments(source, target, bounds, indices);
+  std::optional<Similarity> fit = fit_rotation_first(moments, constraints);
+  if (!fit) return std::nullopt;
+  const std::vector<Ball> all = balls(constraints);
+  const auto worst = std::max_element(all.begin(), all.end(), [&](const Ball& a, const Ball& b) {
+    return a.excess(*fit) < b.excess(*fit);
+  });
+  if (worst == all.end() || worst->excess(*fit) <= 0) return fit;
+  if (const auto pulled = pull_into(*worst, moments, constraints)) fit = pulled;
+  return clamp_translation(*fit, constraints);
+}
+
+}  // namespace gmcr

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "estimation/pose_constraints.hpp"
+#include "gmcr/similarity.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr {
+
+/// The fit of `fit_similarity` among the poses that the constraints admit.
+/// @param source, target, bounds, indices  as for `fit_similarity`, in the centred frames.
+/// @return nullopt where fewer than 3 columns are given, and where no admitted pose is found.
+std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
+                                   const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
+                                   const PoseConstraints& constraints);
+
+}  // namespace gmcr

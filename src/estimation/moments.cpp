@@ -1,0 +1,126 @@
+#include "estimation/moments.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gmcr {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// Upper bound on max_R tr(R^T H) over SO(3), tight to rounding.
+double largest_alignment(const Eigen::Matrix3d& h) {
+  const Eigen::Vector3d x = h.row(0), y = h.row(1), z = h.row(2);
+  const Eigen::Vector3d yz = y.cross(z), zx = z.cross(x), xy = x.cross(y);
+  const double p = h.squaredNorm(), determinant = x.dot(yz);
+  const double q = yz.squaredNorm() + zx.squaredNorm() + xy.squaredNorm();
+  const double above = std::sqrt(3 * p);  // of singular values with that sum of squares
+  if (!(above > 0)) return 0;
+
+  // f is convex and rising beyond its largest root, so that Newton's steps come down on it; each
+  // takes the rounding of f and of its slope off, so that none steps past it
+  constexpr int kMaxSteps = 60;
+  const double constant = p * p - 4 * q, magnitude = p * p + 4 * q;
+  double root = above;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const double squared = root * root, linear = 8 * determinant * root;
+    const double value = (squared - 2 * p) * squared - linear + constant;
+    const double slope = 4 * (squared - p) * root - 8 * determinant;
+    const double value_rounding =
+        8 * kEpsilon * ((squared + 2 * p) * squared + std::abs(linear) + magnitude);
+    const double slope_rounding =
+        8 * kEpsilon * (4 * (squared + p) * root + 8 * std::abs(determinant));
+    const double next = root - (value - value_rounding) / (slope + slope_rounding);
+    if (!(next < root) || !(slope > 0)) break;
+    root = next;
+  }
+  return root;
+}
+
+}  // namespace
+
+Moments& Moments::operator+=(const Moments& other) {
+  const double sum = weight + other.weight;
+  if (!(sum > 0)) return *this;
+  const Eigen::Vector3d a = other.source_mean - source_mean, b = other.target_mean - target_mean;
+  const double share = other.weight / sum, common = weight * share;
+  weight = sum;
+  source_mean += share * a;
+  target_mean += share * b;
+  covariance += other.covariance + (common * b) * a.transpose();
+  source_variance += other.source_variance + common * a.squaredNorm();
+  target_variance += other.target_variance + common * b.squaredNorm();
+  return *this;
+}
+
+Moments Moments::operator*(double factor) const {
+  return {factor * weight,
+          source_mean,
+          target_mean,
+          factor * covariance,
+          factor * source_variance,
+          factor * target_variance};
+}
+
+Moments point_moments(const Eigen::Vector3d& source, const Eigen::Vector3d& target, double weight) {
+  Moments m;
+  m.weight = weight;
+  m.source_mean = source;
+  m.target_mean = target;
+  return m;
+}
+
+Moments measure_moments(const PointsRef& source, const PointsRef& target,
+                        const Eigen::ArrayXd& bounds, const std::vector<Index>& indices) {
+  Moments m;
+  for (const Index i : indices) {
+    const double weight = 1 / (bounds[i] * bounds[i]);
+    m.weight += weight;
+    m.source_mean += weight * source.col(i);
+    m.target_mean += weight * target.col(i);
+  }
+  m.source_mean /= m.weight;
+  m.target_mean /= m.weight;
+  for (const Index i : indices) {
+    const double weight = 1 / (bounds[i] * bounds[i]);
+    const Eigen::Vector3d a = source.col(i) - m.source_mean, b = target.col(i) - m.target_mean;
+    m.covariance += weight * b * a.transpose();
+    m.source_variance += weight * a.squaredNorm();
+    m.target_variance += weight * b.squaredNorm();
+  }
+  return m;
+}
+
+Similarity fit_with_rotation(const Moments& moments, const Eigen::Matrix3d& rotation,
+                             const ScaleRange& scales) {
+  const double optimal_scale =
+      moments.source_variance > 0
+          ? rotation.cwiseProduct(moments.covariance).sum() / moments.source_variance
+          : 1;
+  Similarity fit;
+  fit.scale = std::clamp(optimal_scale, scales.min, scales.max);
+  fit.rotation = rotation;
+  fit.translation = moments.target_mean - fit.scale * (rotation * moments.source_mean);
+  return fit;
+}
+
+double least_squares_bound(const Moments& m, const ScaleRange& scales) {
+  // about the means the best translation is none
+  const double alignment = largest_alignment(m.covariance);
+  const double s = m.source_variance > 0
+                       ? std::clamp(alignment / m.source_variance, scales.min, scales.max)
+                       : scales.min;
+  const double source_part = s * s * m.source_variance;
+  // differences of means have the rounding of coordinates
+  const double variances = m.target_variance + source_part;
+  const double coordinates =
+      m.weight * (m.target_mean.squaredNorm() + s * s * m.source_mean.squaredNorm());
+  const double rounding =
+      64 * kEpsilon * (variances + 2 * s * alignment + std::sqrt(variances * coordinates)) +
+      64 * kEpsilon * kEpsilon * coordinates;
+  return std::max(0.0, variances - 2 * s * alignment - rounding);
+}
+
+}  // namespace gmcr

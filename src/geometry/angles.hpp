@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "gmcr/priors.hpp"
+
+namespace gmcr {
+
+/// Rounding that an angle of a prior is granted, radians.
+inline constexpr double kAngleSlack = 1e-9;
+
+/// Angle between two vectors of any length > 0, radians in [0, pi]; exact for small ones too.
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// Angle of a rotation, radians in [0, pi].
+double rotation_angle(const Eigen::Matrix3d& rotation);
+
+/// The exact rotation next to one that is orthonormal to rounding.
+Eigen::Matrix3d exact_rotation(const Eigen::Matrix3d& rotation);
+
+/// Angle by which a rotation tilts the direction of gravity, radians.
+double tilt(const GravityPrior& gravity, const Eigen::Matrix3d& rotation);
+
+/// Angle between a rotation and that of an initial pose, radians.
+double turn_from(const InitialPose& initial, const Eigen::Matrix3d& rotation);
+
+}  // namespace gmcr
