@@ -15,6 +15,7 @@
 #include "registration/paper_method.hpp"
 #include "registration/scale_search.hpp"
 #include "registration/solve_context.hpp"
+#include "registration/uncertainty.hpp"
 
 namespace gmcr {
 namespace {
@@ -127,6 +128,16 @@ void conclude(Result& result, const Similarity& pose, Index upper_bound,
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
 }
 
+/// Fills what the residuals of the inliers say of the transform.
+void describe_uncertainty(Result& result, SolveContext& context, const Correspondences& input) {
+  if (result.status != Status::Ok && result.status != Status::Degenerate) return;
+  const StageTimer timer(context, "uncertainty");
+  Uncertainty uncertainty = measure_uncertainty(result.target_from_source, input, result.inliers,
+                                                context.options(), context.deadline());
+  result.consistent_scales = uncertainty.consistent_scales;
+  if (result.status == Status::Ok) result.covariance = std::move(uncertainty.covariance);
+}
+
 ScaleRange scales_to_search(const Options& options, const Correspondences& correspondences) {
   if (options.scale_mode == ScaleMode::Known) return {options.scale, options.scale};
   return options.scale_range.value_or(default_scale_range(correspondences));
@@ -175,6 +186,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   if (found.target_from_source) {
     conclude(result, uncentre(*found.target_from_source, centred), upper_bound, input, objective,
              options);
+    describe_uncertainty(result, context, input);
   } else {
     result.status = Status::NoConsensus;
     result.status_reason = diagnostics.limits_hit.empty()
@@ -193,6 +205,26 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   const Hypothesis judged =
       Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
   return {judged.inliers, judged.evidence};
+}
+
+Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
+                                 const PointsRef& target, const std::vector<Index>& inliers,
+                                 const Options& options) {
+  validate_input(source, target, options);
+  for (const Index i : inliers) {
+    if (i >= 0 && i < source.cols()) continue;
+    throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +
+                                std::to_string(source.cols()) + " correspondences");
+  }
+  const Correspondences input = correspondences_of(source, target, options);
+  Uncertainty uncertainty = measure_uncertainty(target_from_source, input, inliers, options,
+                                                Deadline(options.budget.time));
+  const bool determined =
+      uncertainty.covariance &&
+      degeneracy_reason(source, target_from_source, inliers, input.bounds(inliers).maxCoeff())
+          .empty();
+  if (!determined) uncertainty.covariance.reset();
+  return uncertainty;
 }
 
 }  // namespace gmcr
