@@ -72,7 +72,8 @@ struct Uncertainty {
 ///   the intersection of the scales, which is wider then.
 /// @param inliers  its consensus set (`evaluate_consensus`), indices into the input.
 /// @throws std::invalid_argument as `register_correspondences`, and on an index out of range.
-/// Cost O(m^2) for m inliers where the scale is estimated, 1 to 2 ns a pair; else O(m).
+/// Cost O(m log m) for m inliers; where the scale is estimated and all residuals are far below their
+/// bounds up to O(m^2), a few ns each.
 Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
                                  const PointsRef& target, const std::vector<Index>& inliers,
                                  const Options& options);

@@ -24,9 +24,11 @@ Uncertainty measure_uncertainty(const Similarity& target_from_source, const Corr
   uncertainty.consistent_scales = {scale, scale};
   if (!free) return uncertainty;
   const Correspondences chosen = subset(input, inliers);
+  const Eigen::ArrayXd residuals =
+      (chosen.target - target_from_source.apply(chosen.source)).colwise().norm();
   uncertainty.consistent_scales =
       consistent_scales({chosen.source.transpose(), chosen.target.transpose(), chosen.bounds},
-                        scale, options.num_threads, deadline);
+                        residuals, scale, options.num_threads, deadline);
   return uncertainty;
 }
 
