@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gmcr/options.hpp"
@@ -59,5 +60,22 @@ struct Consensus {
 /// Cost O(N log N) where few target points are near each other.
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options);
+
+/// How surely correspondences determine a transform.
+struct Uncertainty {
+  ScaleRange consistent_scales{1, 1};    ///< as in `Result`
+  std::optional<Covariance> covariance;  ///< nullopt where the transform is one of many that fit
+};
+
+/// Uncertainty of a given transform, by the same rules as in `Result`.
+/// @param source, target, options  as for `register_correspondences`; `options.budget.time` ends
+///   the intersection of the scales, which is wider then.
+/// @param inliers  its consensus set (`evaluate_consensus`), indices into the input.
+/// @throws std::invalid_argument as `register_correspondences`, and on an index out of range.
+/// Cost O(m log m) for m inliers; where the scale is estimated and all residuals are far below their
+/// bounds up to O(m^2), a few ns each.
+Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
+                                 const PointsRef& target, const std::vector<Index>& inliers,
+                                 const Options& options);
 
 }  // namespace gmcr

@@ -39,7 +39,8 @@ struct Certificate {
 };
 
 /// How well the inliers determine the transform, from their residuals: first-order covariance of
-/// the weighted least-squares fit, the noise level estimated from the residuals themselves.
+/// the least-squares fit with weights 1 / noise_bound_i^2, the noise level estimated from the
+/// residuals themselves. Exact data leaves the rounding of the target points.
 ///
 /// The parameters are those of  x -> exp(sigma) s exp([omega]x) R x + t + tau, in this order: omega
 /// (3, radians, target frame, applied after R), tau (3, metres), and where the scale was estimated
@@ -47,8 +48,9 @@ struct Certificate {
 struct Covariance {
   Eigen::MatrixXd matrix;  ///< 6 x 6 (rigid) or 7 x 7 (similarity), symmetric
   /// Variances along the principal directions, square metres, ascending, of the motion of the
-  /// inliers: rotation about and scale from their centroid are multiplied by their RMS distance
-  /// from it. A large last one names a direction that the inliers hardly determine.
+  /// inliers (6 or 7): rotation about and scale from their centroid are multiplied by their RMS
+  /// distance from it, both weighted as in the fit. A last one much above the others is that of a
+  /// turn about a line near all inliers, which they hardly determine.
   Eigen::VectorXd eigenvalues;
 };
 
@@ -102,7 +104,8 @@ struct Result {
   double evidence = 0;
   Certificate certificate;
   /// Scales at which all pairs of inliers agree (L1); contains that of the transform. min == max
-  /// where the scale is known.
+  /// where the scale is known; 0 to infinity where all inliers coincide in the source. Wider than
+  /// said where the time budget ended the work.
   ScaleRange consistent_scales{1, 1};
   std::optional<Covariance> covariance;  ///< where the status is Ok
   /// Where several hypotheses were asked for: the next best poses, by descending evidence. Each

@@ -124,16 +124,24 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options) {
   Result& registration = result.registration;
+  const Options solver = solver_options(options, result.matches);
   Consensus consensus =
-      evaluate_consensus(target_from_source, result.matches.source, result.matches.target,
-                         solver_options(options, result.matches));
+      evaluate_consensus(target_from_source, result.matches.source, result.matches.target, solver);
+  Uncertainty uncertainty = evaluate_uncertainty(target_from_source, result.matches.source,
+                                                 result.matches.target, consensus.inliers, solver);
   registration.target_from_source = target_from_source;
   registration.inliers = std::move(consensus.inliers);
   registration.evidence = consensus.evidence;
+  registration.consistent_scales = uncertainty.consistent_scales;
+  registration.covariance = std::move(uncertainty.covariance);
   Certificate& certificate = registration.certificate;
   certificate.lower = static_cast<Index>(registration.inliers.size());
   certificate.upper = std::max(certificate.upper, certificate.lower);
   certificate.certified = certificate.lower == certificate.upper;
+  EvidenceCertificate& evidence = certificate.evidence;
+  evidence.lower = registration.evidence;
+  evidence.upper = std::max(evidence.upper, evidence.lower);
+  evidence.certified = evidence.upper <= evidence.lower;
   measure_fit(result, options);
   judge(result);
   return result;

@@ -68,6 +68,23 @@ TEST(WithPose, OfItsOwnPoseChangesNothing) {
   EXPECT_EQ(same.registration.certificate.upper, result.registration.certificate.upper);
   EXPECT_EQ(same.fitness, result.fitness);
   EXPECT_EQ(same.verdict_reason, result.verdict_reason);
+  ASSERT_TRUE(same.registration.covariance && result.registration.covariance);
+  EXPECT_EQ(same.registration.covariance->matrix, result.registration.covariance->matrix);
+}
+
+TEST(WithPose, HasTheUncertaintyOfTheNewPose) {
+  Options options;
+  options.scale_mode = ScaleMode::Estimated;
+  const CloudResult result = register_clouds(
+      bumpy_sphere(5000, 1), some_motion().apply(bumpy_sphere(5000, 2)), {}, options);
+  ASSERT_TRUE(result.registration.covariance);
+  Similarity next = result.registration.target_from_source;
+  next.translation += Eigen::Vector3d(0.2 * result.matches.noise_bound, 0, 0);
+  const CloudResult moved = with_pose(result, next, options);
+  ASSERT_TRUE(moved.registration.covariance);
+  EXPECT_NE(moved.registration.covariance->matrix, result.registration.covariance->matrix);
+  EXPECT_LE(moved.registration.consistent_scales.min, next.scale);
+  EXPECT_GE(moved.registration.consistent_scales.max, next.scale);
 }
 
 TEST(WithPose, OfAWrongPoseIsNotTrusted) {

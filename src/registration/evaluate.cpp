@@ -1,0 +1,41 @@
+#include <stdexcept>
+#include <string>
+
+#include "gmcr/registration.hpp"
+#include "registration/degeneracy.hpp"
+#include "registration/input.hpp"
+#include "registration/objective.hpp"
+#include "registration/uncertainty.hpp"
+
+namespace gmcr {
+
+Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
+                             const PointsRef& target, const Options& options) {
+  validate_input(source, target, options);
+  const Correspondences input = correspondences_of(source, target, options);
+  const Hypothesis judged =
+      Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
+  return {judged.inliers, judged.evidence};
+}
+
+Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
+                                 const PointsRef& target, const std::vector<Index>& inliers,
+                                 const Options& options) {
+  validate_input(source, target, options);
+  for (const Index i : inliers) {
+    if (i >= 0 && i < source.cols()) continue;
+    throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +
+                                std::to_string(source.cols()) + " correspondences");
+  }
+  const Correspondences input = correspondences_of(source, target, options);
+  Uncertainty uncertainty = measure_uncertainty(target_from_source, input, inliers, options,
+                                                Deadline(options.budget.time));
+  const bool determined =
+      uncertainty.covariance && degeneracy_reason(source, target_from_source, inliers,
+                                                  input.bounds(inliers).maxCoeff(), options.priors)
+                                    .empty();
+  if (!determined) uncertainty.covariance.reset();
+  return uncertainty;
+}
+
+}  // namespace gmcr

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "gmcr/registration.hpp"
+#include "invariants/correspondences.hpp"
+#include "parallel/deadline.hpp"
+#include "registration/input.hpp"
+
+namespace gmcr {
+namespace {
+
+/// A solver needs some time to say that it has none.
+constexpr double kLeastSeconds = 1e-3;
+
+/// The options for some of the correspondences.
+Options options_of(const Options& options, const std::vector<Index>& left, double seconds) {
+  Options some = options;
+  some.budget.time = std::max(seconds, kLeastSeconds);
+  if (!options.noise_bounds.empty()) {
+    some.noise_bounds.clear();
+    for (const Index i : left) {
+      some.noise_bounds.push_back(options.noise_bounds[static_cast<std::size_t>(i)]);
+    }
+  }
+  return some;
+}
+
+/// Indices into the caller's input from indices into what was left of it.
+void renumber(std::vector<Index>& indices, const std::vector<Index>& left) {
+  for (Index& i : indices) i = left[static_cast<std::size_t>(i)];
+}
+
+}  // namespace
+
+void InstanceOptions::validate() const {
+  if (max_instances < 1) {
+    throw std::invalid_argument("max_instances: " + std::to_string(max_instances) +
+                                " is less than 1");
+  }
+  if (min_inliers < 3) {
+    throw std::invalid_argument("min_inliers: " + std::to_string(min_inliers) +
+                                " is less than 3, which a pose needs");
+  }
+  if (!(min_share >= 0 && min_share <= 1)) {
+    throw std::invalid_argument("min_share: " + std::to_string(min_share) + " is not in [0, 1]");
+  }
+}
+
+std::vector<Result> register_instances(const PointsRef& source, const PointsRef& target,
+                                       const Options& options, const InstanceOptions& instances) {
+  validate_input(source, target, options);
+  instances.validate();
+  const Deadline deadline(options.budget.time);
+  std::vector<Index> left(static_cast<std::size_t>(source.cols()));
+  std::iota(left.begin(), left.end(), Index{0});
+  std::vector<Result> found;
+  while (static_cast<int>(found.size()) < instances.max_instances) {
+    if (!found.empty() && deadline.expired()) {
+      found.front().diagnostics.limits_hit.push_back(
+          "the time budget ended the search for further instances");
+      break;
+    }
+    Result result = register_correspondences(source(Eigen::all, left), target(Eigen::all, left),
+                                             options_of(options, left, deadline.remaining()));
+    const bool is_instance =
+        result.status == Status::Ok &&
+        static_cast<Index>(result.inliers.size()) >= instances.min_inliers &&
+        (found.empty() || result.evidence >= instances.min_share * found.front().evidence);
+    if (!found.empty() && !is_instance) break;
+    renumber(result.inliers, left);
+    for (Alternative& alternative : result.alternatives) renumber(alternative.inliers, left);
+    std::vector<Index> rest;
+    std::set_difference(left.begin(), left.end(), result.inliers.begin(), result.inliers.end(),
+                        std::back_inserter(rest));
+    left = std::move(rest);
+    found.push_back(std::move(result));
+    if (!is_instance) break;
+  }
+  return found;
+}
+
+}  // namespace gmcr

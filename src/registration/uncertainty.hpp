@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "gmcr/registration.hpp"
+#include "invariants/correspondences.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr {
+
+/// Covariance and consistent scales of a transform between the frames of `input`.
+/// @param inliers   its consensus set.
+/// @param deadline  ends the intersection of the scales.
+/// @return no covariance where the inliers are on one line to rounding.
+Uncertainty measure_uncertainty(const Similarity& target_from_source, const Correspondences& input,
+                                const std::vector<Index>& inliers, const Options& options,
+                                const Deadline& deadline);
+
+}  // namespace gmcr

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "problems.hpp"
+
+namespace gmcr {
+namespace {
+
+using testing::random_problem;
+
+TEST(Uncertainty, OfARigidResultHasSixParametersAndOneScale) {
+  const auto problem = random_problem(1, 60, 60, 2);
+  const Result result = register_correspondences(problem.source, problem.target, problem.options());
+  ASSERT_EQ(result.status, Status::Ok);
+  ASSERT_TRUE(result.covariance);
+  EXPECT_EQ(result.covariance->matrix.rows(), 6);
+  EXPECT_EQ(result.consistent_scales.min, 2);
+  EXPECT_EQ(result.consistent_scales.max, 2);
+}
+
+TEST(Uncertainty, OfASimilarityHasSevenParametersAndHoldsTheTrueScale) {
+  const auto problem = random_problem(2, 60, 60, 2);
+  const Result result = register_correspondences(problem.source, problem.target,
+                                                 problem.options_with_unknown_scale());
+  ASSERT_EQ(result.status, Status::Ok);
+  ASSERT_TRUE(result.covariance);
+  EXPECT_EQ(result.covariance->matrix.rows(), 7);
+  EXPECT_LT(result.consistent_scales.min, 2);
+  EXPECT_GT(result.consistent_scales.max, 2);
+  EXPECT_LT(result.consistent_scales.max - result.consistent_scales.min, 0.1);
+  EXPECT_LE(result.consistent_scales.min, result.target_from_source.scale);
+  EXPECT_GE(result.consistent_scales.max, result.target_from_source.scale);
+}
+
+TEST(Uncertainty, CoversTheErrorOfMostResults) {
+  int num_within = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto problem = random_problem(seed, 40, 40);
+    const Result result =
+        register_correspondences(problem.source, problem.target, problem.options());
+    ASSERT_TRUE(result.covariance);
+    const Eigen::AngleAxisd turn(problem.truth.rotation *
+                                 result.target_from_source.rotation.transpose());
+    Eigen::VectorXd error(6);
+    error.head<3>() = turn.angle() * turn.axis();
+    error.tail<3>() = problem.truth.translation - result.target_from_source.translation;
+    // 95 % of a chi-squared variable of 6 degrees of freedom
+    const double squared_distance = error.dot(result.covariance->matrix.inverse() * error);
+    num_within += squared_distance < 12.6;
+  }
+  EXPECT_GE(num_within, 25);
+}
+
+TEST(Uncertainty, OfADegenerateResultIsNotGiven) {
+  Points source(3, 20);
+  for (Index i = 0; i < 20; ++i) source.col(i) = static_cast<double>(i) * Eigen::Vector3d(1, 2, 3);
+  Options options;
+  options.noise_bound = 0.01;
+  const Result result = register_correspondences(source, source, options);
+  EXPECT_EQ(result.status, Status::Degenerate);
+  EXPECT_FALSE(result.covariance);
+}
+
+TEST(EvaluateUncertainty, IsThatOfTheResult) {
+  const auto problem = random_problem(3, 60, 60);
+  for (const bool unknown_scale : {false, true}) {
+    const Options options =
+        unknown_scale ? problem.options_with_unknown_scale() : problem.options();
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    const Uncertainty uncertainty = evaluate_uncertainty(result.target_from_source, problem.source,
+                                                         problem.target, result.inliers, options);
+    ASSERT_TRUE(uncertainty.covariance);
+    EXPECT_EQ(uncertainty.covariance->matrix, result.covariance->matrix);
+    EXPECT_EQ(uncertainty.covariance->eigenvalues, result.covariance->eigenvalues);
+    EXPECT_EQ(uncertainty.consistent_scales.min, result.consistent_scales.min);
+    EXPECT_EQ(uncertainty.consistent_scales.max, result.consistent_scales.max);
+  }
+}
+
+TEST(EvaluateUncertainty, GivesNoCovarianceToPointsThatStayWithinTheNoise) {
+  auto problem = random_problem(4, 20, 0);
+  problem.source.bottomRows<2>() *= 0.01;
+  problem.target = problem.truth.apply(problem.source);
+  const std::vector<Index> inliers = {0, 1, 2, 3, 4, 5, 6, 7};
+  Options options = problem.options();
+  options.noise_bound = 0.1;
+  EXPECT_FALSE(evaluate_uncertainty(problem.truth, problem.source, problem.target, inliers, options)
+                   .covariance);
+  options.noise_bound = 1e-4;
+  EXPECT_TRUE(evaluate_uncertainty(problem.truth, problem.source, problem.target, inliers, options)
+                  .covariance);
+  EXPECT_FALSE(
+      evaluate_uncertainty(problem.truth, problem.source, problem.target, {}, options).covariance);
+}
+
+TEST(EvaluateUncertainty, RefusesAnIndexOutOfRange) {
+  const auto problem = random_problem(5, 5, 0);
+  for (const Index bad : {-1, 5}) {
+    EXPECT_THROW(evaluate_uncertainty(problem.truth, problem.source, problem.target, {0, 1, bad},
+                                      problem.options()),
+                 std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace gmcr
