@@ -52,6 +52,12 @@ TEST(FixedPointWeights, AddUpToAtLeastTheWeights) {
   EXPECT_LT(fixed.total(), std::int64_t{1} << 62);
 }
 
+TEST(FixedPointWeights, CountWhatUnderflowsAsAUnit) {
+  const FixedPointWeights fixed(std::vector<double>{1e300, 1e-300, 0});
+  EXPECT_EQ(fixed.units()[1], 1);
+  EXPECT_EQ(fixed.units()[2], 0);
+}
+
 TEST(FixedPointWeights, ConvertUnitsThatAreDoublesExactly) {
   const FixedPointWeights fixed(std::vector<double>{1, 0.5, 3});
   EXPECT_EQ(fixed.weight_of(fixed.total()), 4.5);
