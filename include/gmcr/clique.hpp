@@ -50,7 +50,8 @@ struct WeightedCliqueOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
   std::uint64_t max_nodes =
       std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
-  /// Report only a clique that weighs more than this, >= 0; as in `CliqueOptions`.
+  /// Report only a clique that weighs more than this, >= 0; 0 reports any. As in `CliqueOptions`,
+  /// a search that proves that there is none may return none or a lighter one.
   double must_exceed = 0;
 
   /// @throws std::invalid_argument naming field and value.
@@ -62,17 +63,29 @@ struct WeightedCliqueResult {
   std::vector<Index> vertices;  ///< ascending; a clique of the graph
   double weight = 0;            ///< sum of the weights of `vertices`, in that order
   double upper_bound = 0;       ///< proven: no clique weighs more; valid also after an early end
-  bool proven_optimal = false;  ///< upper_bound <= max(weight, must_exceed), to rounding
+  bool proven_optimal = false;  ///< upper_bound <= max(weight, must_exceed) but for rounding
   std::uint64_t nodes = 0;      ///< search nodes visited
 };
 
 /// Clique of maximum weight, exact unless a limit of `options` binds.
 ///
-/// Branch and bound with weighted colourings: a colour class costs its heaviest vertex, and a
-/// vertex may be split over classes.
-/// @param weights  one a vertex, >= 0, finite.
+/// Bounds from cheap to costly, each of which may settle it: a weighted colouring, whose classes
+/// cost their heaviest vertex; the weight of each neighbourhood, peeled like a core; greedy cliques
+/// from the heaviest neighbourhoods. Then branch and bound, one neighbourhood after the other, with
+/// colourings that split a vertex over several classes (Held, Cook and Sewell 2012; Tavares et al.
+/// 2015). Where all weights are equal it is `max_clique`.
+///
+/// Rounding: sums are taken in whole numbers of a unit, at most 2^-60 of the sum of all weights, to
+/// which weights round up, so `upper_bound` is never too low. Cliques whose weights differ by less
+/// than 1e-12 of them count as equally heavy, and `upper_bound` then includes this margin. Where
+/// sums of the weights do not round in double (whole numbers, halves, ...), there is no margin and
+/// `upper_bound` equals the weight of a proven maximum.
+/// @param weights  one a vertex, >= 0, finite, with a finite sum. Vertices that weigh 0 are never
+///                 part of the result.
 /// @throws std::invalid_argument where an option is out of range or the weights do not fit.
-/// Deterministic as `max_clique`; exponential in the worst case.
+/// Deterministic as `max_clique`. Cost O(E + n^2 / 64) before the search, plus 16 greedy cliques, 2
+/// where there is a weight to exceed; exponential in the worst case, so set a limit for unknown
+/// graphs. Memory: up to two copies of the part of the graph that the bounds leave over.
 WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
                                        const WeightedCliqueOptions& options = {});
 

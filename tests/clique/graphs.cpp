@@ -123,4 +123,19 @@ Index brute_force_clique_number(const BitsetGraph& graph) {
   return largest;
 }
 
+double brute_force_clique_weight(const BitsetGraph& graph, std::span<const double> weights) {
+  const Index n = graph.num_vertices();
+  // Weight of each vertex subset; negative where it is no clique.
+  std::vector<double> weight(std::size_t{1} << n, 0);
+  double heaviest = 0;
+  for (std::size_t set = 1; set < weight.size(); ++set) {
+    const std::size_t rest = set & (set - 1);
+    const int v = std::countr_zero(set);
+    const bool is_clique = weight[rest] >= 0 && (rest & ~graph.row(v)[0]) == 0;
+    weight[set] = is_clique ? weight[rest] + weights[static_cast<std::size_t>(v)] : -1;
+    heaviest = std::max(heaviest, weight[set]);
+  }
+  return heaviest;
+}
+
 }  // namespace gmcr::test

@@ -5,6 +5,8 @@
 #include "clique/oracles.hpp"
 
 extern "C" int cliquer_clique_number(int num_vertices, int num_edges, const int* ends);
+extern "C" int cliquer_clique_weight(int num_vertices, int num_edges, const int* ends,
+                                     const int* weights);
 
 namespace gmcr::test {
 namespace {
@@ -41,6 +43,12 @@ Index cliquer_clique_number(const BitsetGraph& graph) {
   const std::vector<int> ends = edge_ends<int>(graph);
   return ::cliquer_clique_number(static_cast<int>(graph.num_vertices()),
                                  static_cast<int>(ends.size() / 2), ends.data());
+}
+
+Index cliquer_clique_weight(const BitsetGraph& graph, std::span<const int> weights) {
+  const std::vector<int> ends = edge_ends<int>(graph);
+  return ::cliquer_clique_weight(static_cast<int>(graph.num_vertices()),
+                                 static_cast<int>(ends.size() / 2), ends.data(), weights.data());
 }
 
 }  // namespace gmcr::test

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "gmcr/bitset_graph.hpp"
 
 namespace gmcr::test {
@@ -12,5 +14,11 @@ Index igraph_clique_number(const BitsetGraph& graph);
 
 /// Clique number according to cliquer.
 Index cliquer_clique_number(const BitsetGraph& graph);
+
+/// Weight of the heaviest clique by trying every vertex subset, for at most 20 vertices.
+double brute_force_clique_weight(const BitsetGraph& graph, std::span<const double> weights);
+
+/// Weight of the heaviest clique according to cliquer; `weights` > 0.
+Index cliquer_clique_weight(const BitsetGraph& graph, std::span<const int> weights);
 
 }  // namespace gmcr::test

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "clique/weighted_greedy.hpp"
+#include "clique/weighted_root_search.hpp"
+#include "gmcr/clique.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr int kNumGreedyStarts = 16;
+constexpr int kNumGreedyStartsOfProof = 2;  // where most likely no clique is heavy enough
+
+/// Steps from cheap to costly, each of which may settle the question.
+class Solver {
+ public:
+  Solver(const BitsetGraph& graph, const FixedPointWeights& weights,
+         const WeightedCliqueOptions& options)
+      : graph_(graph),
+        weights_(weights),
+        incumbent_(weights, options.must_exceed),
+        budget_(options.time_limit, options.max_nodes),
+        upper_bound_(weights.total()) {}
+
+  WeightedCliqueResult solve(std::span<const double> weights) {
+    const bool asks_for_proof = incumbent_.to_beat() > 0;
+    if (!settled()) offer_heaviest_vertex();
+    // Most likely nothing exceeds a given weight: a bound may show it without any clique.
+    if (!settled()) bound_by_colors(vertices_with_weight());
+    if (!settled()) peel_graph();
+    if (!settled()) bound_by_colors(peeling_.alive());
+    if (!settled()) grow_cliques(asks_for_proof ? kNumGreedyStartsOfProof : kNumGreedyStarts);
+    if (!settled()) search_survivors();
+    WeightedCliqueResult result;
+    result.vertices = incumbent_.clique();
+    std::sort(result.vertices.begin(), result.vertices.end());
+    for (const Index v : result.vertices) result.weight += weights[v];
+    result.upper_bound = std::max(result.weight, weights_.weight_of(upper_bound_));
+    result.proven_optimal = upper_bound_ <= incumbent_.to_beat();
+    result.nodes = budget_.nodes();
+    return result;
+  }
+
+ private:
+  bool settled() { return upper_bound_ <= incumbent_.to_beat() || budget_.out_of_time(); }
+  void lower_bound_to(std::int64_t bound) { upper_bound_ = std::min(upper_bound_, bound); }
+
+  void offer_heaviest_vertex() {
+    const auto units = weights_.units();
+    incumbent_.offer({std::max_element(units.begin(), units.end()) - units.begin()});
+  }
+
+  void peel_graph() {
+    peeling_.reset(graph_, weights_.units(), budget_);
+    lower_bound_to(peeling_.heaviest_neighborhood());
+    peel();
+  }
+
+  void peel() {
+    peeling_.peel(incumbent_.to_beat());
+    lower_bound_to(std::max(incumbent_.to_beat(), peeling_.heaviest_neighborhood()));
+  }
+
+  std::vector<Word> vertices_with_weight() const {
+    std::vector<Word> vertices(graph_.words_per_row, 0);
+    for (Index v = 0; v < graph_.num_vertices; ++v) {
+      if (weights_.units()[v] > 0) set_bit(vertices.data(), v);
+    }
+    return vertices;
+  }
+
+  void bound_by_colors(const std::vector<Word>& vertices) {
+    WeightedColoring coloring;
+    coloring.reset(graph_, weights_.units(), budget_);
+    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(vertices.data())));
+  }
+
+  /// From the heaviest neighbourhoods that no clique so far covers.
+  void grow_cliques(int num_starts) {
+    std::vector<char> covered(graph_.num_vertices, 0);
+    std::vector<Word> candidates(graph_.words_per_row);
+    for (int i = 0; i < num_starts && !settled(); ++i) {
+      Index start = -1;
+      for_each_bit(peeling_.alive().data(), graph_.words_per_row, [&](Index v) {
+        if (covered[v]) return;
+        if (start < 0 || peeling_.neighborhoods()[v] > peeling_.neighborhoods()[start]) start = v;
+      });
+      if (start < 0) return;
+      const Word* row = graph_.row(start);
+      for (Index w = 0; w < graph_.words_per_row; ++w) candidates[w] = row[w] & peeling_.alive()[w];
+      std::vector<Index> clique = greedy_heavy_clique(graph_, weights_.units(), start, candidates,
+                                                      peeling_.neighborhoods(), budget_);
+      for (const Index v : clique) covered[v] = 1;
+      incumbent_.offer(std::move(clique));
+      peel();
+    }
+  }
+
+  /// Branch and bound on what is left.
+  void search_survivors() {
+    std::vector<Index> survivors;
+    for_each_bit(peeling_.alive().data(), graph_.words_per_row,
+                 [&](Index v) { survivors.push_back(v); });
+    OrderedPart unordered, part;
+    if (!unordered.assign(graph_, weights_.units(), survivors, budget_)) return;
+    std::vector<Index> order = best_first_order(unordered.graph.view(), budget_);
+    for (Index& v : order) v = survivors[v];
+    // The classes of a colouring that starts with a clique fit it.
+    std::vector<char> known(graph_.num_vertices, 0);
+    for (const Index v : incumbent_.clique()) known[v] = 1;
+    std::stable_partition(order.begin(), order.end(), [&](Index v) { return known[v]; });
+    if (!part.assign(graph_, weights_.units(), order, budget_)) return;
+    lower_bound_to(WeightedRootSearch(part, incumbent_, budget_).run());
+  }
+
+  RowsView graph_;
+  const FixedPointWeights& weights_;
+  WeightedIncumbent incumbent_;
+  SearchBudget budget_;
+  std::int64_t upper_bound_;
+  WeightedPeeling peeling_;
+};
+
+bool are_equal(std::span<const std::int64_t> units) {
+  return std::adjacent_find(units.begin(), units.end(), std::not_equal_to<>()) == units.end();
+}
+
+/// With equal weights the heaviest clique is the largest, which takes less to find.
+WeightedCliqueResult solve_equal_weights(const BitsetGraph& graph, std::span<const double> weights,
+                                         const FixedPointWeights& fixed,
+                                         const WeightedCliqueOptions& options) {
+  const std::int64_t unit = fixed.units().front();
+  const std::int64_t to_beat = fixed.rounding().to_beat(fixed.units_of(options.must_exceed));
+  CliqueOptions size_options;
+  size_options.time_limit = options.time_limit;
+  size_options.max_nodes = options.max_nodes;
+  size_options.must_exceed = static_cast<Index>(to_beat / unit);
+  CliqueResult largest = max_clique(graph, size_options);
+  WeightedCliqueResult result;
+  result.vertices = std::move(largest.vertices);
+  for (const Index v : result.vertices) result.weight += weights[v];
+  const Index max_size = std::min(largest.upper_bound, graph.num_vertices());
+  result.upper_bound = std::max(result.weight, fixed.weight_of(max_size * unit));
+  result.proven_optimal = largest.proven_optimal;
+  result.nodes = largest.nodes;
+  return result;
+}
+
+}  // namespace
+
+void WeightedCliqueOptions::validate() const {
+  if (std::isnan(time_limit) || time_limit < 0) {
+    throw std::invalid_argument("time_limit: " + std::to_string(time_limit) +
+                                " is no number of seconds >= 0");
+  }
+  if (std::isnan(must_exceed) || must_exceed < 0) {
+    throw std::invalid_argument("must_exceed: " + std::to_string(must_exceed) +
+                                " is no weight >= 0");
+  }
+}
+
+WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                                       const WeightedCliqueOptions& options) {
+  options.validate();
+  if (static_cast<Index>(weights.size()) != graph.num_vertices()) {
+    throw std::invalid_argument("weights: " + std::to_string(weights.size()) + " values for " +
+                                std::to_string(graph.num_vertices()) + " vertices");
+  }
+  const FixedPointWeights fixed(weights);
+  if (fixed.total() > 0 && are_equal(fixed.units())) {
+    return solve_equal_weights(graph, weights, fixed, options);
+  }
+  return Solver(graph, fixed, options).solve(weights);
+}
+
+}  // namespace gmcr
