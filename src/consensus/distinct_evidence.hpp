@@ -30,6 +30,9 @@ class DistinctEvidence {
 
   bool complete() const { return complete_; }
 
+  /// Whether any weight is less than 1 at some scale.
+  bool has_partners() const { return !max_scales_.empty(); }
+
   /// w_i(scale). Cost O(log number of partners).
   double weight(Index i, double scale) const;
 

@@ -174,18 +174,18 @@ void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_thr
   mirror_upper_blocks(graph, threads);
 }
 
-Index PairFilter::count_one_to_one(const std::vector<Index>& indices) const {
-  if (!one_to_one_) return static_cast<Index>(indices.size());
+std::vector<Index> PairFilter::one_to_one(const std::vector<Index>& indices) const {
+  if (!one_to_one_) return indices;
   std::vector<bool> source_taken(source_point_.size()), target_taken(target_point_.size());
-  Index count = 0;
+  std::vector<Index> subset;
   for (const Index i : indices) {
     const auto source = static_cast<std::size_t>(source_point_[static_cast<std::size_t>(i)]);
     const auto target = static_cast<std::size_t>(target_point_[static_cast<std::size_t>(i)]);
     if (source_taken[source] || target_taken[target]) continue;
     source_taken[source] = target_taken[target] = true;
-    ++count;
+    subset.push_back(i);
   }
-  return count;
+  return subset;
 }
 
 }  // namespace gmcr

@@ -49,9 +49,9 @@ class PairFilter {
   /// Deterministic. Cost O(N^2 / 64 + edges).
   void apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const;
 
-  /// Size of a maximal subset of `indices` of which no two share an end point, the earliest first;
-  /// their number where sharing is not forbidden.
-  Index count_one_to_one(const std::vector<Index>& indices) const;
+  /// A maximal subset of `indices` of which no two share an end point, the earliest first; all of
+  /// them where sharing is not forbidden.
+  std::vector<Index> one_to_one(const std::vector<Index>& indices) const;
 
  private:
   /// A prior on the rotation: the angle that remains, and how the angle of a pair is measured.

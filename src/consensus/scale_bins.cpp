@@ -42,7 +42,7 @@ std::pair<Index, Index> ScaleBins::covering(double lower, double upper) const {
 }
 
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                             const std::function<double(Index i, Index bin)>& weight,
+                             const std::function<double(Index i, Index run)>& weight,
                              int num_threads, const Deadline& deadline) {
   constexpr Index kRowsPerChunk = 64;
   const Index n = arrays.size();
@@ -57,12 +57,16 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
     }
     VoteChanges changes{std::vector<Index>(num_bins + 1), std::vector<double>(num_bins + 1)};
     for_each_voting_pair(arrays, bins, begin, end, [&](Index i, Index j, Index first, Index last) {
-      const Index middle = (first + last) / 2;
-      const double evidence = weight(i, middle) * weight(j, middle);
       ++changes.pairs[static_cast<std::size_t>(first)];
       --changes.pairs[static_cast<std::size_t>(last) + 1];
-      changes.evidence[static_cast<std::size_t>(first)] += evidence;
-      changes.evidence[static_cast<std::size_t>(last) + 1] -= evidence;
+      for (Index begin_of_run = first; begin_of_run <= last;) {
+        const Index run = bins.run_of(begin_of_run);
+        const Index end_of_run = std::min(last, bins.last_of_run(run)) + 1;
+        const double evidence = weight(i, run) * weight(j, run);
+        changes.evidence[static_cast<std::size_t>(begin_of_run)] += evidence;
+        changes.evidence[static_cast<std::size_t>(end_of_run)] -= evidence;
+        begin_of_run = end_of_run;
+      }
     });
     chunks[static_cast<std::size_t>(begin / kRowsPerChunk)] = std::move(changes);
   });

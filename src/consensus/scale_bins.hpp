@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -19,11 +20,18 @@ class ScaleBins {
   Index size() const { return count_; }
   ScaleRange operator[](Index bin) const;
 
+  /// Runs of neighbouring bins over which what changes slowly with the scale is taken as constant.
+  Index num_runs() const { return run_of(count_ - 1) + 1; }
+  Index run_of(Index bin) const { return bin / kBinsPerRun; }
+  Index last_of_run(Index run) const { return std::min(count_, (run + 1) * kBinsPerRun) - 1; }
+
   /// Bins that [lower, upper] can meet, as [first, last]; first > last: none. Never misses one; may
   /// name a neighbour that it only touches.
   std::pair<Index, Index> covering(double lower, double upper) const;
 
  private:
+  static constexpr Index kBinsPerRun = 16;
+
   ScaleRange range_;
   double log_min_, log_ratio_;
   Index count_;
@@ -57,11 +65,11 @@ struct ScaleVotes {
 };
 
 /// Votes of all pairs, streamed: no record of a pair is kept (L5).
-/// @param weight  w_i at a bin: weight(i, bin); must be safe to call from several threads.
+/// @param weight  w_i in a run of bins: weight(i, run); must be safe to call from several threads.
 /// @return where the deadline passes first: every pair votes for every bin, which is a bound too.
 /// Cost O(N^2 + bins), memory O(bins) a chunk of rows.
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                             const std::function<double(Index i, Index bin)>& weight,
+                             const std::function<double(Index i, Index run)>& weight,
                              int num_threads, const Deadline& deadline = Deadline::never());
 
 }  // namespace gmcr

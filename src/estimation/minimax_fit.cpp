@@ -5,23 +5,23 @@
 #include <numeric>
 #include <utility>
 
-#include "estimation/similarity_fit.hpp"
+#include "estimation/constrained_fit.hpp"
 
 namespace gmcr {
 
 MinimaxFit::MinimaxFit(Points source, Points target, Eigen::ArrayXd bounds,
-                       const ScaleRange& scales)
+                       const PoseConstraints& constraints)
     : source_(std::move(source)),
       target_(std::move(target)),
       bounds_(std::move(bounds)),
-      scales_(scales),
+      constraints_(constraints),
       all_(static_cast<std::size_t>(source_.cols())),
       weights_(Eigen::ArrayXd::Ones(source_.cols())) {
   std::iota(all_.begin(), all_.end(), Index{0});
 }
 
 bool MinimaxFit::step() {
-  const auto fit = fit_similarity(source_, target_, bounds_ / weights_.sqrt(), all_, scales_);
+  const auto fit = fit_pose(source_, target_, bounds_ / weights_.sqrt(), all_, constraints_);
   if (!fit) return false;
   pose_ = *fit;
   residuals_ = (target_ - pose_.apply(source_)).colwise().norm().transpose().array() / bounds_;

@@ -8,7 +8,8 @@ namespace gmcr {
 /// Largest m with m (m - 1) / 2 <= num_pairs: m inliers need that many agreeing pairs (L5).
 Index max_members(Index num_pairs);
 
-/// Certificate of an achieved number of inliers and a proven upper bound on it.
-Certificate certify(Index lower, Index upper);
+/// Certificate of an achieved number of inliers and their evidence, and proven upper bounds on
+/// both; evidence is at most the number of inliers.
+Certificate certify(Index lower, Index upper, double evidence, double evidence_upper);
 
 }  // namespace gmcr

@@ -1,25 +1,37 @@
 #include "registration/gmcr_method.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "registration/range_search.hpp"
 #include "registration/scale_search.hpp"
+#include "registration/tighten.hpp"
 
 namespace gmcr {
 namespace {
 
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
+constexpr std::uint64_t kMaxWeightedNodes = 2'000;
 
 /// Search in the one consistency graph of a known scale.
-Index search_known_scale(PoseSearch& search) {
+UpperBounds search_known_scale(PoseSearch& search) {
   const RangeGraph range = build_range_graph(search, search.scales());
-  const Index upper_bound = search_maximum_clique(search, range, kMaxNodes);
+  UpperBounds bounds;
+  bounds.inliers = search_clique(search, range, Measure::Inliers, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
-  if (static_cast<double>(upper_bound) > search.best_evidence()) {
-    grow_cliques(search, range, kMaxStarts);
+  if (bounds.inliers > search.to_beat(Measure::Evidence)) grow_cliques(search, range, kMaxStarts);
+  bounds.evidence = bounds.inliers;
+  if (search.counts_evidence()) {
+    bounds.evidence = std::min(bounds.inliers,
+                               search_clique(search, range, Measure::Evidence, kMaxWeightedNodes));
   }
-  return upper_bound;
+  return tighten(search, range, bounds);
+}
+
+UpperBounds search_all_scales(PoseSearch& search) {
+  return search.scales().min == search.scales().max ? search_known_scale(search)
+                                                    : search_scales(search);
 }
 
 }  // namespace
@@ -27,12 +39,20 @@ Index search_known_scale(PoseSearch& search) {
 MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
                         const PoseConstraints& constraints, const PairFilter& filter) {
   PoseSearch search(context, objective, constraints, filter);
-  const ScaleRange& scales = constraints.scales;
+  const UpperBounds bounds = search_all_scales(search);
   MethodResult result;
   result.upper_bound =
-      scales.min == scales.max ? search_known_scale(search) : search_scales(search);
-  result.upper_bound = std::max(result.upper_bound, search.max_inliers());
-  if (search.best()) result.target_from_source = search.best()->target_from_source;
+      static_cast<Index>(std::max(bounds.inliers, search.to_beat(Measure::Inliers)));
+  result.evidence_upper_bound = std::max(bounds.evidence, search.to_beat(Measure::Evidence));
+  std::vector<Hypothesis> found;
+  if (search.best()) found.push_back(*search.best());
+  while (!found.empty() && static_cast<int>(found.size()) < context.options().num_hypotheses) {
+    PoseSearch next(context, objective, constraints, filter, found);
+    search_all_scales(next);
+    if (!next.best()) break;
+    found.push_back(*next.best());
+  }
+  for (const Hypothesis& hypothesis : found) result.poses.push_back(hypothesis.target_from_source);
   return result;
 }
 

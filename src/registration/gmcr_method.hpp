@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "consensus/pair_filter.hpp"
 #include "estimation/pose_constraints.hpp"
@@ -9,14 +9,17 @@
 
 namespace gmcr {
 
-/// What a method found, between the centred frames, and proved.
+/// What a method found and proved.
 struct MethodResult {
-  std::optional<Similarity> target_from_source;
+  std::vector<Similarity> poses;  ///< between the centred frames, the best first; empty: none
   /// Proven: no admitted pose has more inliers; with one-to-one, of which no two share a point.
   Index upper_bound = 0;
+  double evidence_upper_bound = 0;  ///< the same for their evidence
 };
 
-/// `Method::Gmcr`: candidate cliques judged by the objective, bounds from clique numbers.
+/// `Method::Gmcr`: candidate cliques judged by the objective, bounds from cliques and, where the
+/// options ask for it, from the joint search. Then the same again without the consensus sets found,
+/// for further hypotheses.
 /// @param filter  what the priors and one-to-one say of pairs.
 MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
                         const PoseConstraints& constraints, const PairFilter& filter);

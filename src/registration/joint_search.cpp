@@ -31,6 +31,14 @@ std::vector<Index> without(const std::vector<Index>& members, const std::vector<
   return rest;
 }
 
+BitsetGraph unpack(const PackedGraph& packed) {
+  BitsetGraph graph(packed.num_vertices());
+  for (Index v = 0; v < packed.num_vertices(); ++v) {
+    std::copy_n(packed.row(v), packed.words_per_row(), graph.mutable_row(v).begin());
+  }
+  return graph;
+}
+
 }  // namespace
 
 JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const BitsetGraph& graph,
@@ -52,15 +60,13 @@ JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const Bits
 double JointSearch::run(double to_beat) {
   to_beat_ = to_beat;
   // best first: colourings then need fewer classes
-  const std::vector<Index> order = degeneracy_order(graph_).order;
+  std::vector<Index> order = degeneracy_order(graph_).order;
+  std::reverse(order.begin(), order.end());
   Node root;
-  root.open.assign(order.rbegin(), order.rend());
-  PackedGraph packed;
-  packed.assign(graph_, root.open);
-  root.graph = BitsetGraph(packed.num_vertices());
-  for (Index v = 0; v < packed.num_vertices(); ++v) {
-    std::copy_n(packed.row(v), packed.words_per_row(), root.graph.mutable_row(v).begin());
-  }
+  root.open.resize(order.size());
+  std::iota(root.open.begin(), root.open.end(), Index{0});
+  root.graph = graph_;
+  select_open(root, order);
   return search(root);
 }
 
@@ -71,6 +77,7 @@ double JointSearch::search(Node& node) {
     drop_hopeless(node);
   }
   if (!exceeds(node.kept_weight + weight_of(node.open))) return to_beat_;
+  if (!node.kept.empty()) sort_by_fit(node);
   return branch(node);
 }
 
@@ -112,8 +119,16 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
   const auto i = static_cast<std::size_t>(node.open[static_cast<std::size_t>(chosen)]);
   next.kept.push_back(static_cast<Index>(i));
   next.kept_weight += weights_[i];
-  next.moments += moments_[i];
   return next;
+}
+
+void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
+  PackedGraph packed;
+  packed.assign(node.graph, vertices);
+  node.graph = unpack(packed);
+  std::vector<Index> open;
+  for (const Index v : vertices) open.push_back(node.open[static_cast<std::size_t>(v)]);
+  node.open = std::move(open);
 }
 
 void JointSearch::keep_open(Node& node, const std::vector<bool>& keep) const {
@@ -121,17 +136,7 @@ void JointSearch::keep_open(Node& node, const std::vector<bool>& keep) const {
   for (std::size_t v = 0; v < keep.size(); ++v) {
     if (keep[v]) kept.push_back(static_cast<Index>(v));
   }
-  BitsetGraph graph(static_cast<Index>(kept.size()));
-  for (Index v = 0; v < graph.num_vertices(); ++v) {
-    const Index old = kept[static_cast<std::size_t>(v)];
-    for (Index u = 0; u < v; ++u) {
-      if (node.graph.has_edge(old, kept[static_cast<std::size_t>(u)])) graph.add_edge(v, u);
-    }
-  }
-  std::vector<Index> open;
-  for (const Index v : kept) open.push_back(node.open[static_cast<std::size_t>(v)]);
-  node.open = std::move(open);
-  node.graph = std::move(graph);
+  if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
 void JointSearch::drop_hopeless(Node& node) const {
@@ -165,32 +170,87 @@ void JointSearch::drop_hopeless(Node& node) const {
   if (!hopeless.empty()) keep_open(node, keep);
 }
 
+bool JointSearch::fit_jointly(const Moments& kept, double kept_share,
+                              std::initializer_list<Index> others) const {
+  Moments sum = kept * kept_share;
+  for (const Index i : others) {
+    sum += moments_[static_cast<std::size_t>(i)] *
+           ((1 - kept_share) / static_cast<double>(others.size()));
+  }
+  return least_squares_bound(sum, scales_) <= kInfeasible;
+}
+
 void JointSearch::drop_misfits(Node& node) const {
-  // as weights of the mean, few members get as much as the others, many at most half of all
+  if (node.kept.size() > kMaxKeptForPairs) return drop_misfits_of_many(node);
   const auto num_kept = static_cast<double>(node.kept.size());
-  const auto fits = [&](std::initializer_list<Index> others) {
-    const auto num_others = static_cast<double>(others.size());
-    const double share = std::min(num_kept / (num_kept + num_others), 0.5);
-    Moments sum = node.moments * (share / num_kept);
-    for (const Index v : others) {
-      sum += moments_[static_cast<std::size_t>(node.open[static_cast<std::size_t>(v)])] *
-             ((1 - share) / num_others);
-    }
-    return least_squares_bound(sum, scales_) <= kInfeasible;
-  };
+  const Moments kept = mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
+  const auto open = [&](Index v) { return node.open[static_cast<std::size_t>(v)]; };
   if (node.kept.size() > 1) {
     std::vector<bool> keep(node.open.size());
-    for (std::size_t v = 0; v < keep.size(); ++v) keep[v] = fits({static_cast<Index>(v)});
+    for (Index v = 0; v < node.graph.num_vertices(); ++v) {
+      keep[static_cast<std::size_t>(v)] = fit_jointly(kept, num_kept / (num_kept + 1), {open(v)});
+    }
     keep_open(node, keep);
   }
-  if (node.kept.size() > kMaxKeptForPairs) return;
   BitsetGraph graph(node.graph.num_vertices());
   for (Index v = 0; v < graph.num_vertices(); ++v) {
     for (Index u = 0; u < v; ++u) {
-      if (node.graph.has_edge(u, v) && fits({u, v})) graph.add_edge(u, v);
+      if (!node.graph.has_edge(u, v)) continue;
+      if (fit_jointly(kept, num_kept / (num_kept + 2), {open(u), open(v)})) graph.add_edge(u, v);
     }
   }
   node.graph = std::move(graph);
+}
+
+void JointSearch::drop_misfits_of_many(Node& node) const {
+  // minimax weights of the kept ones bring their mean close to the limit, so that one misfit more
+  // exceeds it; the shares are a few out of many that are valid
+  constexpr int kSteps = 20;
+  constexpr double kShares[] = {0.5, 0.75, 0.9};
+  MinimaxFit fit = fit_of(node.kept);
+  Eigen::ArrayXd weights = fit.weights();
+  for (int step = 0; step < kSteps; ++step) {
+    weights = fit.weights();
+    if (!fit.step()) break;
+    if (fit.lower_bound() > kInfeasible) return keep_open(node, {});
+  }
+  const Moments kept = mean_moments(node.kept, weights);
+  std::vector<bool> keep(node.open.size());
+  for (std::size_t v = 0; v < keep.size(); ++v) {
+    keep[v] = std::all_of(std::begin(kShares), std::end(kShares),
+                          [&](double share) { return fit_jointly(kept, share, {node.open[v]}); });
+  }
+  keep_open(node, keep);
+}
+
+Moments JointSearch::mean_moments(const std::vector<Index>& members,
+                                  const Eigen::ArrayXd& weights) const {
+  Moments sum;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    sum += moments_[static_cast<std::size_t>(members[k])] *
+           (weights[static_cast<Index>(k)] / weights.sum());
+  }
+  return sum;
+}
+
+MinimaxFit JointSearch::fit_of(const std::vector<Index>& members) const {
+  return MinimaxFit(columns(arrays_.source, members), columns(arrays_.target, members),
+                    arrays_.bounds(members), PoseConstraints{scales_});
+}
+
+void JointSearch::sort_by_fit(Node& node) const {
+  // what fits worst is branched on first: it excludes much else, or is soon excluded
+  std::vector<Index> all = node.kept;
+  all.insert(all.end(), node.open.begin(), node.open.end());
+  MinimaxFit fit = fit_of(all);
+  if (!fit.step()) return;
+  const auto num_kept = static_cast<Index>(node.kept.size());
+  std::vector<Index> order(node.open.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return fit.residuals()[num_kept + a] < fit.residuals()[num_kept + b];
+  });
+  select_open(node, order);
 }
 
 double JointSearch::resolve(const std::vector<Index>& kept, const std::vector<Index>& open) {
@@ -248,10 +308,6 @@ JointSearch::Conflict JointSearch::find_conflict(const std::vector<Index>& membe
       if (!fit.step() || fit.residuals().maxCoeff() <= 1 || fit.lower_bound() > kInfeasible) break;
     }
     return some.size() >= 3 && fit.lower_bound() > kInfeasible;
-  };
-  const auto fit_of = [&](const std::vector<Index>& some) {
-    return MinimaxFit(columns(arrays_.source, some), columns(arrays_.target, some),
-                      arrays_.bounds(some), scales_);
   };
   MinimaxFit fit = fit_of(members);
   if (!settle(members, fit)) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "estimation/minimax_fit.hpp"
 #include "estimation/moments.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
@@ -48,7 +50,6 @@ class JointSearch {
     std::vector<Index> kept;
     std::vector<Index> open;
     BitsetGraph graph;  ///< over `open`: the pairs that may fit jointly with `kept`
-    Moments moments;
     double kept_weight = 0;
   };
   struct Conflict {
@@ -61,7 +62,14 @@ class JointSearch {
   Node child(const Node& node, std::span<const Index> before, Index chosen) const;
   void drop_hopeless(Node& node) const;
   void drop_misfits(Node& node) const;
+  void drop_misfits_of_many(Node& node) const;
+  bool fit_jointly(const Moments& kept, double kept_share,
+                   std::initializer_list<Index> others) const;
+  void sort_by_fit(Node& node) const;
   void keep_open(Node& node, const std::vector<bool>& keep) const;
+  void select_open(Node& node, const std::vector<Index>& vertices) const;
+  Moments mean_moments(const std::vector<Index>& members, const Eigen::ArrayXd& weights) const;
+  MinimaxFit fit_of(const std::vector<Index>& members) const;
   double resolve(const std::vector<Index>& kept, const std::vector<Index>& open);
   double loss_bound(const std::vector<Index>& kept, std::vector<Index> open, double enough) const;
   Conflict find_conflict(const std::vector<Index>& members) const;

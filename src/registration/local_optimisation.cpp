@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimation/constrained_fit.hpp"
+#include "estimation/minimax_fit.hpp"
 
 namespace gmcr {
 namespace {
@@ -17,36 +18,27 @@ std::optional<Similarity> fit(const Objective& objective, const PoseConstraints&
 }
 
 /// Fits that approach the pose of least largest residual over `indices`.
-/// @return the best pose met, or `best`; and the index that weighs most in the end.
+/// @return the best pose met, or `best`; and the position in `indices` that weighs most in the end.
 std::pair<Hypothesis, Index> equalise(const Objective& objective,
                                       const PoseConstraints& constraints,
                                       const std::vector<Index>& indices, Hypothesis best) {
   constexpr int kIterations = 20;
   const Correspondences& c = objective.correspondences();
-  Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(static_cast<Index>(indices.size()));
-  Eigen::ArrayXd weighted_bounds = c.bounds;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    weighted_bounds(indices) = c.bounds(indices) / weights.sqrt();
-    const auto pose = fit_pose(c.source, c.target, weighted_bounds, indices, constraints);
-    if (!pose) break;
+  MinimaxFit fit(c.source(Eigen::all, indices), c.target(Eigen::all, indices), c.bounds(indices),
+                 constraints);
+  for (int iteration = 0; iteration < kIterations && fit.step(); ++iteration) {
     std::vector<Index> held;
     for (std::size_t k = 0; k < indices.size(); ++k) {
-      const Index i = indices[k];
-      const double relative = (c.target.col(i) - *pose * c.source.col(i)).norm() / c.bounds[i];
-      if (relative <= 1) held.push_back(i);
-      // a floor, so that a correspondence that fits well now can come back
-      weights[static_cast<Index>(k)] *= std::max(relative, 1e-3);
+      if (fit.residuals()[static_cast<Index>(k)] <= 1) held.push_back(indices[k]);
     }
-    if (objective.evidence_of(held, pose->scale) > best.evidence) {
-      Hypothesis next = objective.judge(*pose);
+    if (objective.evidence_of(held, fit.pose().scale) > best.evidence) {
+      Hypothesis next = objective.judge(fit.pose());
       if (is_better(next, best)) best = std::move(next);
     }
     if (held.size() == indices.size()) break;
-    weights /= weights.maxCoeff();
-    weights = weights.max(1e-12);
   }
   Index heaviest = 0;
-  weights.maxCoeff(&heaviest);
+  fit.weights().maxCoeff(&heaviest);
   return {std::move(best), heaviest};
 }
 

@@ -1,6 +1,7 @@
 #include "registration/objective.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "kernels/residuals.hpp"
 
@@ -9,6 +10,12 @@ namespace gmcr {
 bool is_better(const Hypothesis& a, const Hypothesis& b) {
   if (a.evidence != b.evidence) return a.evidence > b.evidence;
   return a.quadratic < b.quadratic;
+}
+
+bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b) {
+  std::vector<Index> shared;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
+  return 2 * shared.size() > std::min(a.size(), b.size());
 }
 
 Objective::Objective(const Correspondences& correspondences, Evidence evidence,

@@ -23,6 +23,10 @@ struct Hypothesis {
 /// Whether `a` is the better answer: more evidence, or as much with a closer fit.
 bool is_better(const Hypothesis& a, const Hypothesis& b);
 
+/// Whether two consensus sets, ascending, are of the same pose: they share more than half of the
+/// smaller one.
+bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b);
+
 /// The objective itself, on all correspondences (paper, eq:pcr_maxcon, and L6).
 class Objective {
  public:
@@ -34,6 +38,9 @@ class Objective {
 
   /// Evidence that correspondence i gives at a scale, in (0, 1].
   double weight(Index i, double scale) const;
+
+  /// Whether some correspondence gives less evidence than 1 at some scale.
+  bool is_weighted() const { return distinct_ && distinct_->has_partners(); }
 
   /// Evidence that the given correspondences give together at a scale.
   double evidence_of(const std::vector<Index>& indices, double scale) const;

@@ -72,7 +72,7 @@ std::optional<Pruned> prune_by_consistency(SolveContext& context,
   BitsetGraph graph = consistency_graph(consistency_arrays(correspondences, scale), {scale, scale},
                                         context.options().num_threads);
   filter.apply(graph, {scale, scale}, context.options().num_threads);
-  const CliqueResult clique = context.max_clique(graph, {});
+  const auto clique = context.max_clique(graph, 0, kUnlimited);
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;
   require_memory_for_tims(context, size);
@@ -81,7 +81,8 @@ std::optional<Pruned> prune_by_consistency(SolveContext& context,
     pairs.push_back({clique.vertices[static_cast<std::size_t>(p)],
                      clique.vertices[static_cast<std::size_t>(q)]});
   }
-  return Pruned{make_tims(correspondences, std::move(pairs)), scale, clique.upper_bound};
+  return Pruned{make_tims(correspondences, std::move(pairs)), scale,
+                static_cast<Index>(clique.upper_bound)};
 }
 
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
@@ -110,11 +111,19 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
   const ScaleRange& scales = constraints.scales;
   MethodResult result;
   result.upper_bound = correspondences.size();
+  result.evidence_upper_bound = static_cast<double>(result.upper_bound);
   const auto pruned = scales.min == scales.max
                           ? prune_by_consistency(context, correspondences, scales.min, filter)
                           : prune_by_scale(context, correspondences, scales, filter);
   if (!pruned) return result;
   result.upper_bound = std::min(result.upper_bound, pruned->upper_bound);
+  result.evidence_upper_bound = static_cast<double>(result.upper_bound);
+  const auto fit = [&](const std::vector<Index>& indices) {
+    const auto pose =
+        fit_pose(correspondences.source, correspondences.target, correspondences.bounds, indices,
+                 at_scale(constraints, pruned->scale));
+    if (pose) result.poses.push_back(*pose);
+  };
 
   const Tims tims = within_memory(context, pruned->tims);
   const auto rotation = [&] {
@@ -125,9 +134,7 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
     // the TIMs are parallel: a pose that fits, one of many, so that the result can say so
     std::vector<Index> all(static_cast<std::size_t>(tims.size()));
     std::iota(all.begin(), all.end(), Index{0});
-    result.target_from_source =
-        fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
-                 touched_correspondences(tims, all), at_scale(constraints, pruned->scale));
+    fit(touched_correspondences(tims, all));
     return result;
   }
 
@@ -139,13 +146,10 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
     context.limit("the clique search of a rotation or translation graph ended before its proof");
   }
   if (constraints.priors.empty()) {
-    result.target_from_source =
-        Similarity{pruned->scale, rotation->rotation, translation.translation};
+    result.poses.push_back({pruned->scale, rotation->rotation, translation.translation});
   } else {
     // the stages know of the priors what single pairs say; the pose has to satisfy them
-    result.target_from_source =
-        fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
-                 translation.correspondences, at_scale(constraints, pruned->scale));
+    fit(translation.correspondences);
   }
   return result;
 }

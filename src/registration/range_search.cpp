@@ -7,6 +7,7 @@
 #include "clique/degeneracy.hpp"
 #include "clique/greedy.hpp"
 #include "consensus/consistency_graph.hpp"
+#include "estimation/constrained_fit.hpp"
 #include "registration/local_optimisation.hpp"
 #include "registration/pose_from_clique.hpp"
 
@@ -23,20 +24,26 @@ struct Start {
   double evidence_bound = 0;  ///< no clique with the vertex has more evidence
 };
 
+/// Removes the edges of a vertex.
+void isolate(BitsetGraph& graph, Index v) {
+  const auto row = graph.mutable_row(v);
+  for_each_bit(row.data(), graph.words_per_row(),
+               [&](Index u) { clear_bit(graph.mutable_row(u).data(), v); });
+  std::fill(row.begin(), row.end(), 0);
+}
+
 /// All vertices, by descending core number.
 std::vector<Start> list_starts(PoseSearch& search, const RangeGraph& range) {
   const StageTimer timer(search.context(), "clique");
   const std::vector<Index> core = degeneracy_order(range.graph).core;
   const Index n = range.graph.num_vertices();
-  Eigen::ArrayXd weights(n);
-  // weights grow with the scale, so those at the end of the range bound the others
-  for (Index i = 0; i < n; ++i) weights[i] = search.objective().weight(i, range.scales.max);
+  const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
+  const auto weight = [&](Index v) { return weights[static_cast<std::size_t>(v)]; };
   std::vector<Start> starts;
   for (Index v = 0; v < n; ++v) {
     const auto row = range.graph.row(v);
-    double around = weights[v];
-    for_each_bit(row.data(), static_cast<Index>(row.size()),
-                 [&](Index u) { around += weights[u]; });
+    double around = weight(v);
+    for_each_bit(row.data(), static_cast<Index>(row.size()), [&](Index u) { around += weight(u); });
     const Index core_of_v = core[static_cast<std::size_t>(v)];
     starts.push_back({v, core_of_v, std::min(around, static_cast<double>(core_of_v + 1))});
   }
@@ -48,22 +55,65 @@ std::vector<Start> list_starts(PoseSearch& search, const RangeGraph& range) {
 }  // namespace
 
 PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
-                       const PoseConstraints& constraints, const PairFilter& filter)
+                       const PoseConstraints& constraints, const PairFilter& filter,
+                       std::vector<Hypothesis> found)
     : context_(context),
       objective_(objective),
       constraints_(constraints),
       filter_(filter),
-      arrays_(consistency_arrays(objective.correspondences(), constraints.scales.max)) {}
+      arrays_(consistency_arrays(objective.correspondences(), constraints.scales.max)),
+      found_(std::move(found)) {}
 
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
   std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, constraints_, clique);
-  if (!pose) return;
+  if (pose) consider(std::move(*pose));
+}
+
+void PoseSearch::offer(const Similarity& pose) {
+  const StageTimer timer(context_, "pose");
+  ++context_.diagnostics().num_candidates;
+  const Correspondences& c = objective_.correspondences();
+  Hypothesis judged = objective_.judge(pose);
+  if (!constraints_.priors.empty()) {
+    const auto admitted = fit_pose(c.source, c.target, c.bounds, judged.inliers, constraints_);
+    if (!admitted) return;
+    judged = objective_.judge(*admitted);
+  }
+  consider(std::move(judged));
+}
+
+void PoseSearch::consider(Hypothesis pose) {
+  if (!reached_.insert(pose.inliers).second) return;
   // a rival is measured by what it can reach, as the best so far was
-  Hypothesis reached = reach_for_more(objective_, constraints_, std::move(*pose), best_evidence());
-  max_inliers_ = std::max(max_inliers_, filter_.count_one_to_one(reached.inliers));
+  Hypothesis reached =
+      reach_for_more(objective_, constraints_, std::move(pose), best_ ? best_->evidence : 0);
+  for (const Hypothesis& known : found_) {
+    if (shares_most(known.inliers, reached.inliers)) return;
+  }
+  const std::vector<Index> members = filter_.one_to_one(reached.inliers);
+  max_inliers_ = std::max(max_inliers_, static_cast<double>(members.size()));
+  max_evidence_ =
+      std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
   if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
+}
+
+std::vector<double> PoseSearch::weights(Measure measure, const ScaleRange& scales) const {
+  std::vector<double> weights(static_cast<std::size_t>(arrays_.size()), 1.0);
+  if (measure == Measure::Inliers) return weights;
+  // weights grow with the scale, so those at the end of the range bound the others
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = objective_.weight(static_cast<Index>(i), scales.max);
+  }
+  return weights;
+}
+
+void PoseSearch::filter_graph(BitsetGraph& graph, const ScaleRange& scales) const {
+  filter_.apply(graph, scales, context_.options().num_threads);
+  for (const Hypothesis& known : found_) {
+    for (const Index i : known.inliers) isolate(graph, i);
+  }
 }
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
@@ -71,7 +121,7 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
   const StageTimer timer(search.context(), "graph");
   ++search.context().diagnostics().num_scale_ranges;
   RangeGraph range{scales, build()};
-  search.filter().apply(range.graph, scales, search.context().options().num_threads);
+  search.filter_graph(range.graph, scales);
   return range;
 }
 
@@ -90,7 +140,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   for (const Start& start : starts) {
     if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
     if (covered[static_cast<std::size_t>(start.vertex)]) continue;
-    if (start.evidence_bound <= search.best_evidence()) continue;
+    if (start.evidence_bound <= search.to_beat(Measure::Evidence)) continue;
     ++num_starts;
     const std::vector<Index> clique = [&] {
       const StageTimer timer(search.context(), "clique");
@@ -101,21 +151,21 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   }
 }
 
-Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes) {
-  CliqueOptions clique_options;
-  clique_options.max_nodes = max_nodes;
-  clique_options.must_exceed = search.max_inliers();
-  const CliqueResult clique = [&] {
+double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
+                     std::uint64_t max_nodes) {
+  const double to_beat = search.to_beat(measure);
+  const auto [vertices, upper_bound, proven] = [&] {
     const StageTimer timer(search.context(), "clique");
-    return search.context().max_clique(range.graph, clique_options);
+    return measure == Measure::Inliers
+               ? search.context().max_clique(range.graph, static_cast<Index>(to_beat), max_nodes)
+               : search.context().max_weight_clique(
+                     range.graph, search.weights(measure, range.scales), to_beat, max_nodes);
   }();
-  if (static_cast<Index>(clique.vertices.size()) > search.max_inliers()) {
-    search.offer(clique.vertices);
-  }
-  if (!clique.proven_optimal) {
+  if (!vertices.empty()) search.offer(vertices);
+  if (!proven) {
     search.context().limit("a clique search ended before its proof: the upper bound may be loose");
   }
-  return clique.upper_bound;
+  return proven && vertices.empty() ? to_beat : upper_bound;
 }
 
 }  // namespace gmcr

@@ -15,39 +15,67 @@
 
 namespace gmcr {
 
+/// What a bound speaks of.
+enum class Measure { Inliers, Evidence };
+
+/// Proven: no admitted pose has more.
+struct UpperBounds {
+  double inliers = 0;
+  double evidence = 0;
+};
+
 /// The best pose so far, and what a better one must exceed.
 class PoseSearch {
  public:
   /// Keeps the references.
+  /// @param found  hypotheses that are known: their inliers are left out of the graphs, and poses
+  ///   that share most of their inliers with one of them are not looked for.
   PoseSearch(SolveContext& context, const Objective& objective, const PoseConstraints& constraints,
-             const PairFilter& filter);
+             const PairFilter& filter, std::vector<Hypothesis> found = {});
 
   SolveContext& context() { return context_; }
-  const Objective& objective() const { return objective_; }
   const ScaleRange& scales() const { return constraints_.scales; }
-  const PairFilter& filter() const { return filter_; }
+  double weight(Index i, double scale) const { return objective_.weight(i, scale); }
   const kernels::CorrespondenceArrays& arrays() const { return arrays_; }
 
   /// Turns a clique into a pose and keeps it where it is the best one. Each clique is examined
-  /// once.
+  /// once, and so is each consensus set that cliques lead to.
   void offer(const std::vector<Index>& clique);
 
-  const std::optional<Hypothesis>& best() const { return best_; }
-  double best_evidence() const { return best_ ? best_->evidence : 0; }
+  /// Keeps a pose, or the nearest one that the priors admit, where it is the best one.
+  void offer(const Similarity& pose);
 
-  /// Most inliers of any pose examined, one-to-one where that is asked for; the best one may have
-  /// fewer, of more distinct evidence.
-  Index max_inliers() const { return max_inliers_; }
+  const std::optional<Hypothesis>& best() const { return best_; }
+
+  /// The most that any pose examined has, of inliers of which no two share a point where
+  /// one-to-one is asked for; the best one may have fewer, of more distinct evidence.
+  double to_beat(Measure measure) const {
+    return measure == Measure::Inliers ? max_inliers_ : max_evidence_;
+  }
+
+  /// What each correspondence adds to the measure, at most, at scales in the range.
+  std::vector<double> weights(Measure measure, const ScaleRange& scales) const;
+
+  /// Whether evidence differs from the number of inliers.
+  bool counts_evidence() const { return objective_.is_weighted(); }
+
+  /// Removes the edges that lead to no pose looked for.
+  void filter_graph(BitsetGraph& graph, const ScaleRange& scales) const;
 
  private:
+  void consider(Hypothesis pose);
+
   SolveContext& context_;
   const Objective& objective_;
   const PoseConstraints& constraints_;
   const PairFilter& filter_;
   kernels::CorrespondenceArrays arrays_;
+  std::vector<Hypothesis> found_;
   std::optional<Hypothesis> best_;
-  Index max_inliers_ = 0;
-  std::set<std::vector<Index>> examined_;
+  double max_inliers_ = 0;
+  double max_evidence_ = 0;
+  std::set<std::vector<Index>> examined_;  ///< cliques
+  std::set<std::vector<Index>> reached_;   ///< consensus sets
 };
 
 /// The consistency graph of a range of scales, less the pairs that the filter does not admit.
@@ -67,9 +95,11 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 /// covers, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
 
-/// Searches the range's graph for a clique larger than the most inliers so far and offers it.
-/// @return proven upper bound on the number of inliers of poses in the range, or `max_inliers()`
-///   where none can have more.
-Index search_maximum_clique(PoseSearch& search, const RangeGraph& range, std::uint64_t max_nodes);
+/// Searches the range's graph for a clique that measures more than what is to be beaten and offers
+/// it.
+/// @return proven upper bound on the measure of poses in the range, or what is to be beaten where
+///   none has more.
+double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
+                     std::uint64_t max_nodes);
 
 }  // namespace gmcr

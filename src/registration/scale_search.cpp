@@ -10,6 +10,7 @@
 #include "consensus/binned_pairs.hpp"
 #include "consensus/scale_bins.hpp"
 #include "registration/certificate.hpp"
+#include "registration/tighten.hpp"
 
 namespace gmcr {
 namespace {
@@ -24,10 +25,10 @@ constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 28;  // of the pairs of each bin
 constexpr Index kNoBin = -1;
 
-/// A range of scales and the most inliers that a pose in it can have.
+/// A range of scales and the most that a pose in it can have.
 struct BoundedRange {
   ScaleRange scales;
-  Index bound = 0;
+  double bound = 0;
   Index bin = kNoBin;  ///< the bin that the range is, if it is one
   bool searched = false;
 
@@ -50,17 +51,16 @@ struct VotedBins {
 };
 
 ScaleVotes vote(PoseSearch& search, const ScaleBins& bins) {
-  // the weights change slowly with the scale: one table entry serves several bins
-  constexpr Index kBinsPerEntry = 16;
-  const Index n = search.arrays().size(), num_entries = (bins.size() - 1) / kBinsPerEntry + 1;
-  Eigen::ArrayXXd weights(num_entries, n);
+  // weights grow with the scale: those at the end of a run of bins bound the others
+  const Index n = search.arrays().size(), num_runs = bins.num_runs();
+  Eigen::ArrayXXd weights(num_runs, n);
   for (Index i = 0; i < n; ++i) {
-    for (Index entry = 0; entry < num_entries; ++entry) {
-      weights(entry, i) = search.objective().weight(i, bins[entry * kBinsPerEntry].min);
+    for (Index run = 0; run < num_runs; ++run) {
+      weights(run, i) = search.weight(i, bins[bins.last_of_run(run)].max);
     }
   }
   return count_scale_votes(
-      search.arrays(), bins, [&](Index i, Index bin) { return weights(bin / kBinsPerEntry, i); },
+      search.arrays(), bins, [&](Index i, Index run) { return weights(run, i); },
       search.context().options().num_threads, search.context().deadline());
 }
 
@@ -73,22 +73,34 @@ VotedBins vote(PoseSearch& search) {
   return {bins, std::move(votes), std::move(pairs)};
 }
 
+/// Whether a bound leaves room for more than what is to be beaten, beyond the rounding of weights.
+bool exceeds(double bound, double to_beat) { return bound > to_beat * (1 + 1e-12); }
+
 /// The two halves of a range, of equal ratio, with the bound of the whole.
 std::pair<BoundedRange, BoundedRange> halves(const BoundedRange& range) {
   const double middle = std::sqrt(range.scales.min * range.scales.max);
   return {{{range.scales.min, middle}, range.bound}, {{middle, range.scales.max}, range.bound}};
 }
 
-/// Branch and bound over the scale. @return upper bound on the inliers of any pose.
-Index bound_scales(PoseSearch& search, const VotedBins& voted) {
+/// Most that a pose at a scale of the bin can have, by the pairs that vote for it.
+double bound_of_votes(const VotedBins& voted, Measure measure, Index bin) {
+  const auto b = static_cast<std::size_t>(bin);
+  const auto members = static_cast<double>(max_members(voted.votes.pairs[b]));
+  if (measure == Measure::Inliers) return members;
+  // W^2 less the sum of the squared weights, at most W, is twice what the pairs of the set vote
+  const double evidence = (1 + std::sqrt(1 + 8 * voted.votes.evidence[b])) / 2;
+  return std::min(members, evidence * (1 + 1e-9));
+}
+
+/// Branch and bound over the scale. @return upper bound on the measure of any pose.
+double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure) {
   std::vector<BoundedRange> ranges;
   for (Index bin = 0; bin < voted.bins.size(); ++bin) {
-    const Index num_pairs = voted.votes.pairs[static_cast<std::size_t>(bin)];
-    ranges.push_back({voted.bins[bin], max_members(num_pairs), bin});
+    ranges.push_back({voted.bins[bin], bound_of_votes(voted, measure, bin), bin});
   }
   std::priority_queue<BoundedRange> queue({}, std::move(ranges));
   const Index max_ranges = 2 * voted.bins.size();
-  for (Index searched = 0; !queue.empty() && queue.top().bound > search.max_inliers();) {
+  for (Index searched = 0; !queue.empty() && exceeds(queue.top().bound, search.to_beat(measure));) {
     BoundedRange range = queue.top();
     if (searched == max_ranges) {
       search.context().limit("the search over the scale ended before its proof");
@@ -106,13 +118,14 @@ Index bound_scales(PoseSearch& search, const VotedBins& voted) {
     }
     const RangeGraph graph = range.bin == kNoBin ? build_range_graph(search, range.scales)
                                                  : voted.graph(search, range.bin);
-    range.bound = std::min(range.bound, search_maximum_clique(search, graph, kMaxNodes));
+    range.bound = std::min(range.bound, search_clique(search, graph, measure, kMaxNodes));
+    range.bound = tighten(search, graph, measure, range.bound);
     range.searched = true;
     queue.push(range);
     search.context().report("scale_search",
                             static_cast<double>(++searched) / static_cast<double>(max_ranges));
   }
-  return search.max_inliers();
+  return search.to_beat(measure);
 }
 
 /// Bins of most evidence, none of them beside a better one.
@@ -141,9 +154,8 @@ std::vector<Index> top_modes(const std::vector<double>& evidence) {
 /// L7: candidate cliques at the scales of most evidence.
 void explore_modes(PoseSearch& search, const VotedBins& voted) {
   for (const Index bin : top_modes(voted.votes.evidence)) {
-    // evidence W among consistent pairs casts votes of at least W (W - 1) / 2
-    const double votes_of_bin = voted.votes.evidence[static_cast<std::size_t>(bin)];
-    if ((1 + std::sqrt(1 + 8 * votes_of_bin)) / 2 <= search.best_evidence()) continue;
+    const double bound = bound_of_votes(voted, Measure::Evidence, bin);
+    if (!exceeds(bound, search.to_beat(Measure::Evidence))) continue;
     if (search.best() && search.context().stopped()) return;
     grow_cliques(search, voted.graph(search, bin), kMaxStarts);
   }
@@ -180,10 +192,14 @@ ScaleRange default_scale_range(const Correspondences& correspondences) {
   return {std::min(by_norm, by_median) / kSizeFactor, std::max(by_norm, by_median) * kSizeFactor};
 }
 
-Index search_scales(PoseSearch& search) {
+UpperBounds search_scales(PoseSearch& search) {
   const VotedBins voted = vote(search);
   explore_modes(search, voted);
-  return bound_scales(search, voted);
+  UpperBounds bounds;
+  if (search.counts_evidence()) bounds.evidence = bound_scales(search, voted, Measure::Evidence);
+  bounds.inliers = bound_scales(search, voted, Measure::Inliers);
+  if (!search.counts_evidence()) bounds.evidence = bounds.inliers;
+  return bounds;
 }
 
 }  // namespace gmcr

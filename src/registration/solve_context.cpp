@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace gmcr {
 
@@ -30,14 +31,31 @@ void SolveContext::limit(const std::string& sentence) {
   }
 }
 
-CliqueResult SolveContext::max_clique(const BitsetGraph& graph, CliqueOptions clique_options) {
-  clique_options.time_limit =
-      stopped() ? 0 : std::min(clique_options.time_limit, deadline_.remaining());
-  CliqueResult result = options_.clique_solver
-                            ? options_.clique_solver->solve(graph, clique_options)
-                            : gmcr::max_clique(graph, clique_options);
-  diagnostics_.num_clique_nodes += result.nodes;
-  return result;
+SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index must_exceed,
+                                              std::uint64_t max_nodes) {
+  CliqueOptions clique_options;
+  clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
+  clique_options.max_nodes = max_nodes;
+  clique_options.must_exceed = must_exceed;
+  CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
+                                              : gmcr::max_clique(graph, clique_options);
+  diagnostics_.num_clique_nodes += found.nodes;
+  const bool is_larger = static_cast<Index>(found.vertices.size()) > must_exceed;
+  return {is_larger ? std::move(found.vertices) : std::vector<Index>(),
+          static_cast<double>(found.upper_bound), found.proven_optimal};
+}
+
+SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
+                                                     std::span<const double> weights,
+                                                     double must_exceed, std::uint64_t max_nodes) {
+  WeightedCliqueOptions clique_options;
+  clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
+  clique_options.max_nodes = max_nodes;
+  clique_options.must_exceed = must_exceed;
+  WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
+  diagnostics_.num_clique_nodes += found.nodes;
+  return {found.weight > must_exceed ? std::move(found.vertices) : std::vector<Index>(),
+          found.upper_bound, found.proven_optimal};
 }
 
 void SolveContext::require_memory_for_graph(Index num_vertices) const {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "gmcr/clique.hpp"
 #include "gmcr/options.hpp"
@@ -29,8 +32,19 @@ class SolveContext {
   /// Notes a limit that made the work less than complete, once.
   void limit(const std::string& sentence);
 
+  /// What a clique search, by number or by weight, found and proved.
+  struct Clique {
+    std::vector<Index> vertices;  ///< empty: none exceeds what it must
+    double upper_bound = 0;
+    bool proven = false;
+  };
+
   /// Maximum clique by the caller's solver or ours, within the time that is left.
-  CliqueResult max_clique(const BitsetGraph& graph, CliqueOptions clique_options);
+  Clique max_clique(const BitsetGraph& graph, Index must_exceed, std::uint64_t max_nodes);
+
+  /// Clique of maximum weight, within the time that is left.
+  Clique max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                           double must_exceed, std::uint64_t max_nodes);
 
   /// @throws std::invalid_argument where a graph of that size exceeds the memory budget.
   void require_memory_for_graph(Index num_vertices) const;

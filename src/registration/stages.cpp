@@ -13,11 +13,9 @@
 namespace gmcr {
 namespace {
 
-CliqueResult stage_clique(SolveContext& context, const BitsetGraph& graph,
-                          std::uint64_t max_clique_nodes) {
-  CliqueOptions clique_options;
-  clique_options.max_nodes = max_clique_nodes;
-  return context.max_clique(graph, clique_options);
+SolveContext::Clique stage_clique(SolveContext& context, const BitsetGraph& graph,
+                                  std::uint64_t max_clique_nodes) {
+  return context.max_clique(graph, 0, max_clique_nodes);
 }
 
 }  // namespace
@@ -39,9 +37,9 @@ std::optional<RotationConsensus> rotation_consensus(SolveContext& context, const
   const RotationCones cones = rotation_cones(tims, scale);
   const BitsetGraph graph =
       rotation_graph(cones, context.options().num_threads, context.deadline());
-  const CliqueResult clique = stage_clique(context, graph, max_clique_nodes);
+  const auto clique = stage_clique(context, graph, max_clique_nodes);
   RotationConsensus consensus;
-  consensus.proven = clique.proven_optimal;
+  consensus.proven = clique.proven;
   for (const Index vertex : clique.vertices) {
     consensus.tims.push_back(cones.tims[static_cast<std::size_t>(vertex)]);
   }
@@ -60,9 +58,9 @@ TranslationConsensus translation_consensus(SolveContext& context, const Correspo
   const Points measurements = some.target - scale * (rotation * some.source);
   const BitsetGraph graph = translation_graph(measurements, some.bounds,
                                               context.options().num_threads, context.deadline());
-  const CliqueResult clique = stage_clique(context, graph, max_clique_nodes);
+  const auto clique = stage_clique(context, graph, max_clique_nodes);
   TranslationConsensus consensus;
-  consensus.proven = clique.proven_optimal;
+  consensus.proven = clique.proven;
   for (const Index vertex : clique.vertices) {
     consensus.correspondences.push_back(indices[static_cast<std::size_t>(vertex)]);
   }

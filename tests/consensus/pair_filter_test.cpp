@@ -218,9 +218,9 @@ TEST(PairFilter, OneToOneParsCorrespondencesThatShareAPoint) {
       EXPECT_EQ(filter.admits_pair(j, i, {1, 1}), !shared);
     }
   }
-  EXPECT_EQ(filter.count_one_to_one({0, 1, 2, 3, 4, 5}), 4);
-  EXPECT_EQ(filter.count_one_to_one({3, 4, 5}), 3);
-  EXPECT_EQ(PairFilter(c, {}, false, {1, 1}).count_one_to_one({0, 1, 2, 3, 4, 5}), 6);
+  EXPECT_EQ(filter.one_to_one({0, 1, 2, 3, 4, 5}).size(), 4);
+  EXPECT_EQ(filter.one_to_one({3, 4, 5}), (std::vector<Index>{3, 4, 5}));
+  EXPECT_EQ(PairFilter(c, {}, false, {1, 1}).one_to_one({0, 1, 2, 3, 4, 5}).size(), 6);
 }
 
 TEST(PairFilter, LeavesExactlyTheAdmittedEdgesForAnyNumberOfThreads) {
