@@ -46,6 +46,13 @@ std::vector<TranslationPrior> translation_priors(const Priors& priors) {
   return result;
 }
 
+/// By how much the bounds were widened.
+double rounding_of(const kernels::CorrespondenceArrays& arrays,
+                   const Correspondences& correspondences) {
+  const Index n = correspondences.size();
+  return n == 0 ? 0 : (arrays.bounds.head(n) - correspondences.bounds).maxCoeff();
+}
+
 /// The correspondences and after them the virtual ones, with bounds widened by rounding.
 kernels::CorrespondenceArrays with_virtual(const Correspondences& correspondences,
                                            const std::vector<TranslationPrior>& translations,
@@ -54,7 +61,7 @@ kernels::CorrespondenceArrays with_virtual(const Correspondences& correspondence
   const Index n = arrays.size(), count = n + static_cast<Index>(translations.size());
   if (count == n) return arrays;
   constexpr double kRounding = 1e-11;  // above what `Priors::admit` grants
-  const double widened = n == 0 ? 0 : (arrays.bounds - correspondences.bounds).maxCoeff();
+  const double widened = rounding_of(arrays, correspondences);
   arrays.source.conservativeResize(count, 3);
   arrays.target.conservativeResize(count, 3);
   arrays.bounds.conservativeResize(count);
@@ -67,8 +74,12 @@ kernels::CorrespondenceArrays with_virtual(const Correspondences& correspondence
   return arrays;
 }
 
-Eigen::Vector3d difference(const Eigen::MatrixX3d& points, Index i, Index j) {
-  return {points(j, 0) - points(i, 0), points(j, 1) - points(i, 1), points(j, 2) - points(i, 2)};
+/// A rotation that maps a direction to the last axis.
+Eigen::Matrix3d to_last_axis(const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d up = direction.stableNormalized(), first = up.unitOrthogonal();
+  Eigen::Matrix3d turn;
+  turn << first.transpose(), up.cross(first).transpose(), up.transpose();
+  return turn;
 }
 
 }  // namespace
@@ -79,59 +90,63 @@ PairFilter::PairFilter(const Correspondences& correspondences, const Priors& pri
   const std::vector<TranslationPrior> translations = translation_priors(priors);
   num_virtual_ = static_cast<Index>(translations.size());
   arrays_ = with_virtual(correspondences, translations, scales.max);
-  const auto add = [&](AnglePrior prior, double angle) {
-    const double widened = angle + 2 * kAngleSlack;
-    if (widened >= std::numbers::pi) return;
-    prior.cosine = std::cos(widened);
-    prior.sine = std::sin(widened);
-    angles_.push_back(prior);
-  };
+  const double rounding = rounding_of(arrays_, correspondences);
   if (priors.gravity) {
-    AnglePrior prior;
-    prior.about_axis = true;
-    prior.source = priors.gravity->source.stableNormalized();
-    prior.target = priors.gravity->target.stableNormalized();
-    add(prior, priors.gravity->max_tilt);
+    add(true, priors.gravity->max_tilt, to_last_axis(priors.gravity->source),
+        to_last_axis(priors.gravity->target), rounding);
   }
   if (priors.initial_pose) {
-    AnglePrior prior;
-    prior.rotation = exact_rotation(priors.initial_pose->target_from_source.rotation);
-    add(prior, priors.initial_pose->max_rotation);
+    add(false, priors.initial_pose->max_rotation,
+        exact_rotation(priors.initial_pose->target_from_source.rotation),
+        Eigen::Matrix3d::Identity(), rounding);
   }
   if (!one_to_one_) return;
   source_point_ = first_equal_point(correspondences.source);
   target_point_ = first_equal_point(correspondences.target);
 }
 
-bool PairFilter::AnglePrior::admits(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                    double bound, const ScaleRange& scales) const {
+void PairFilter::add(bool about_axis, double angle, const Eigen::Matrix3d& source_turn,
+                     const Eigen::Matrix3d& target_turn, double rounding) {
+  const double widened = angle + 2 * kAngleSlack;
+  if (widened >= std::numbers::pi) return;
+  AnglePrior prior{about_axis, std::cos(widened), std::sin(widened), {}};
+  prior.ends.setZero(8, arrays_.size());
+  prior.ends.topRows<3>() = source_turn * arrays_.source.transpose();
+  prior.ends.middleRows<3>(3) = target_turn * arrays_.target.transpose();
+  // turning the points rounds them once more
+  prior.ends.row(6) = arrays_.bounds.transpose() + rounding;
+  angles_.push_back(std::move(prior));
+}
+
+bool PairFilter::AnglePrior::admits(Index i, Index j, const ScaleRange& scales) const {
+  const Eigen::Vector3d a = ends.col(j).head<3>() - ends.col(i).head<3>();
+  const Eigen::Vector3d b = ends.col(j).segment<3>(3) - ends.col(i).segment<3>(3);
+  const double bound = ends(6, i) + ends(6, j);
   // cosine and sine of the angle between the pair's two vectors, times |a| |b|
   double dot = 0, cross = 0;
   if (about_axis) {
-    const double a_along = a.dot(source), a_across = a.cross(source).norm();
-    const double b_along = b.dot(target), b_across = b.cross(target).norm();
-    dot = a_along * b_along + a_across * b_across;
-    cross = std::abs(a_across * b_along - a_along * b_across);
+    const double a_across = std::sqrt(a.head<2>().squaredNorm());
+    const double b_across = std::sqrt(b.head<2>().squaredNorm());
+    dot = a.z() * b.z() + a_across * b_across;
+    cross = std::abs(a_across * b.z() - a.z() * b_across);
   } else {
-    const Eigen::Vector3d image = rotation * a;
-    dot = image.dot(b);
-    cross = image.cross(b).norm();
+    dot = a.dot(b);
+    cross = a.cross(b).norm();
   }
   // the same of delta, that angle less the one that the prior leaves
   const double sine_delta = cross * cosine - dot * sine;
   if (sine_delta <= 0) return true;
   const double cosine_delta = dot * cosine + cross * sine;
-  const double length = a.norm();
-  const double along = cosine_delta / length, across = sine_delta / length;
-  const double off = along - std::clamp(along, scales.min * length, scales.max * length);
-  return off * off + across * across <= bound * bound;
+  // distance from b to the nearest admitted image of a, times |a|
+  const double squared_length = a.squaredNorm();
+  const double off = cosine_delta - std::clamp(cosine_delta, scales.min * squared_length,
+                                               scales.max * squared_length);
+  return off * off + sine_delta * sine_delta <= bound * bound * squared_length;
 }
 
 bool PairFilter::admits_rotation(Index i, Index j, const ScaleRange& scales) const {
-  const Eigen::Vector3d a = difference(arrays_.source, i, j), b = difference(arrays_.target, i, j);
-  const double bound = arrays_.bounds[i] + arrays_.bounds[j];
   return std::all_of(angles_.begin(), angles_.end(),
-                     [&](const AnglePrior& prior) { return prior.admits(a, b, bound, scales); });
+                     [&](const AnglePrior& prior) { return prior.admits(i, j, scales); });
 }
 
 bool PairFilter::share_end_point(Index i, Index j) const {

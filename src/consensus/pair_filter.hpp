@@ -54,17 +54,20 @@ class PairFilter {
   std::vector<Index> one_to_one(const std::vector<Index>& indices) const;
 
  private:
-  /// A prior on the rotation: the angle that remains, and how the angle of a pair is measured.
+  /// A prior on the rotation, in frames where it is simple: gravity is the last axis of both, or
+  /// the initial rotation is the identity.
   struct AnglePrior {
-    bool about_axis = false;         ///< gravity; else an initial rotation
-    Eigen::Vector3d source, target;  ///< unit directions of gravity
-    Eigen::Matrix3d rotation;        ///< R0
-    double cosine = 1, sine = 0;     ///< of the largest tilt or rotation
+    bool about_axis = false;      ///< gravity; else an initial rotation
+    double cosine = 1, sine = 0;  ///< of the largest tilt or rotation
+    /// Source, target, bound and padding of each correspondence: what a pair needs of it in one
+    /// cache line.
+    Eigen::Matrix<double, 8, Eigen::Dynamic> ends;
 
-    bool admits(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double bound,
-                const ScaleRange& scales) const;
+    bool admits(Index i, Index j, const ScaleRange& scales) const;
   };
 
+  void add(bool about_axis, double angle, const Eigen::Matrix3d& source_turn,
+           const Eigen::Matrix3d& target_turn, double rounding);
   bool admits_rotation(Index i, Index j, const ScaleRange& scales) const;
   bool share_end_point(Index i, Index j) const;
 

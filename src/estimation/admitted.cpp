@@ -42,21 +42,27 @@ Vector3d into_cap(const Vector3d& direction, const Vector3d& centre, double angl
 /// The place nearest to `direction` that lies in two caps on the sphere.
 std::optional<Vector3d> into_both_caps(const Vector3d& direction, const Vector3d& centre,
                                        double angle, const Vector3d& other, double other_angle) {
-  const Vector3d first = into_cap(direction, centre, angle);
-  if (angle_between(first, other) <= other_angle + kAngleSlack / 2) return first;
-  const Vector3d second = into_cap(direction, other, other_angle);
-  if (angle_between(second, centre) <= angle + kAngleSlack / 2) return second;
+  constexpr double kRounding = kAngleSlack / 2;
+  const auto in_both = [&](const Vector3d& place) {
+    return angle_between(place, centre) <= angle + kRounding &&
+           angle_between(place, other) <= other_angle + kRounding;
+  };
+  for (const Vector3d& place :
+       {into_cap(direction, centre, angle), into_cap(direction, other, other_angle)}) {
+    if (in_both(place)) return place;
+  }
   // a corner: at both angles, in the frame of the centre, the other centre and their normal
   const double between = angle_between(centre, other);
-  if (between > angle + other_angle ||
-      between + std::min(angle, other_angle) < std::max(angle, other_angle)) {
-    return std::nullopt;
-  }
   const Vector3d normal = axis_between(centre, other), across = normal.cross(centre);
   const double x = std::cos(angle);
   const double y = (std::cos(other_angle) - std::cos(between) * x) / std::sin(between);
   const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
-  return (x * centre + y * across + (direction.dot(normal) < 0 ? -z : z) * normal).normalized();
+  const Vector3d corner =
+      (x * centre + y * across + (direction.dot(normal) < 0 ? -z : z) * normal).normalized();
+  if (in_both(corner)) return corner;
+  // where the caps only touch, z is all rounding
+  const Vector3d touching = about(normal, angle) * centre;
+  return in_both(touching) ? std::optional(touching) : std::nullopt;
 }
 
 /// Angle about a unit axis by which to turn `rotation` so that tr(R^T covariance) is largest; 0
@@ -120,7 +126,7 @@ Matrix3d unconstrained_rotation(const Matrix3d& covariance, const Priors& priors
   return least_rotation(covariance * known.transpose()) * known;
 }
 
-/// `centre` and the radius around it that a prior leaves the translation.
+/// The point of a ball nearest to `translation`.
 Vector3d into_ball(const Vector3d& translation, const Vector3d& centre, double radius) {
   const Vector3d offset = translation - centre;
   const double distance = offset.norm();
@@ -137,18 +143,19 @@ std::optional<Matrix3d> admitted_rotation(const Matrix3d& covariance, const Prio
     if (admit_rotation(priors, limited)) return limited;
   }
   if (!priors.gravity) return std::nullopt;
-  const Vector3d up = priors.gravity->source.stableNormalized();
-  const Vector3d down_there = priors.gravity->target.stableNormalized();
-  const Vector3d image = (best * up).normalized();
+  const Vector3d source_up = priors.gravity->source.stableNormalized();
+  const Vector3d target_up = priors.gravity->target.stableNormalized();
+  const Vector3d image = (best * source_up).normalized();
   const double max_tilt = priors.gravity->max_tilt;
   const std::optional<Vector3d> nearest =
       priors.initial_pose
-          ? into_both_caps(image, down_there, max_tilt,
-                           exact_rotation(priors.initial_pose->target_from_source.rotation) * up,
-                           priors.initial_pose->max_rotation)
-          : into_cap(image, down_there, max_tilt);
+          ? into_both_caps(
+                image, target_up, max_tilt,
+                exact_rotation(priors.initial_pose->target_from_source.rotation) * source_up,
+                priors.initial_pose->max_rotation)
+          : into_cap(image, target_up, max_tilt);
   if (!nearest) return std::nullopt;
-  const Matrix3d rotation = best_with_image(priors, up, *nearest, best, covariance);
+  const Matrix3d rotation = best_with_image(priors, source_up, *nearest, best, covariance);
   if (!admit_rotation(priors, rotation)) return std::nullopt;
   return rotation;
 }

@@ -38,28 +38,25 @@ std::optional<Similarity> fit_rotation_first(const Moments& moments,
   return fit_with_rotation(moments, *rotation, constraints.scales);
 }
 
-/// The fit that takes the origin just into the ball.
+/// The moments with the origin as a correspondence, so that the fit takes it just into the ball.
 ///
-/// The origin may be far from the points, where a small turn moves it a lot: it joins the fit as a
-/// correspondence, with the least weight that suffices (the Lagrange multiplier of the prior).
-std::optional<Similarity> pull_into(const Ball& ball, const Moments& moments,
-                                    const PoseConstraints& constraints) {
+/// The origin may be far from the points, where a small turn moves it a lot: it joins the fit with
+/// the least weight that suffices (the Lagrange multiplier of the prior), or a large one where none
+/// does.
+Moments pull_into(const Ball& ball, const Moments& moments, const PoseConstraints& constraints) {
   constexpr int kSteps = 40;
-  const auto fit_with_weight = [&](double log_share) {
+  const auto with_weight = [&](double log_share) {
     Moments with_origin = moments;
     with_origin += point_moments(ball.source, ball.target, moments.weight * std::exp(log_share));
-    return fit_rotation_first(with_origin, constraints);
+    return with_origin;
   };
-  double low = std::log(1e-9), high = std::log(1e9);  // of the weight over that of all others
-  std::optional<Similarity> best = fit_with_weight(high);
-  for (int step = 0; step < kSteps && best && ball.excess(*best) <= 0; ++step) {
+  double low = std::log(1e-16), high = std::log(1e9);  // of the weight over that of all others
+  for (int step = 0; step < kSteps; ++step) {
     const double middle = (low + high) / 2;
-    const auto fit = fit_with_weight(middle);
-    const bool inside = fit && ball.excess(*fit) <= 0;
-    (inside ? high : low) = middle;
-    if (inside) best = fit;
+    const auto fit = fit_rotation_first(with_weight(middle), constraints);
+    (fit && ball.excess(*fit) <= 0 ? high : low) = middle;
   }
-  return best;
+  return with_weight(high);
 }
 
 /// Moves the translation to the nearest that the priors admit.
@@ -84,15 +81,22 @@ std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& tar
     return fit_similarity(source, target, bounds, indices, constraints.scales);
   }
   if (indices.size() < 3) return std::nullopt;
-  const Moments moments = measure_moments(source, target, bounds, indices);
+  Moments moments = measure_moments(source, target, bounds, indices);
   std::optional<Similarity> fit = fit_rotation_first(moments, constraints);
-  if (!fit) return std::nullopt;
   const std::vector<Ball> all = balls(constraints);
-  const auto worst = std::max_element(all.begin(), all.end(), [&](const Ball& a, const Ball& b) {
-    return a.excess(*fit) < b.excess(*fit);
-  });
-  if (worst == all.end() || worst->excess(*fit) <= 0) return fit;
-  if (const auto pulled = pull_into(*worst, moments, constraints)) fit = pulled;
+  if (!fit || all.empty()) return fit;
+  // one ball may push the origin out of the other
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Ball& worst = *std::max_element(
+        all.begin(), all.end(),
+        [&](const Ball& a, const Ball& b) { return a.excess(*fit) < b.excess(*fit); });
+    if (worst.excess(*fit) <= 0) return fit;
+    moments = pull_into(worst, moments, constraints);
+    const auto pulled = fit_rotation_first(moments, constraints);
+    if (!pulled) break;
+    fit = pulled;
+  }
   return clamp_translation(*fit, constraints);
 }
 

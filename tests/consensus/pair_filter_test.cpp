@@ -53,13 +53,19 @@ Admitted random_admitted(testing::RandomGeometry& random, double unit, double of
   initial.target_from_source.rotation = about(random.unit(), part() * max_rotation) * rotation;
   initial.max_rotation = max_rotation;
   initial.max_translation = random.uniform(0, 1) * unit;
+  // along gravity the noise and the limits of the priors add up
+  const bool aligned = random.index(2) == 0;
+  const auto error_direction = [&]() -> Vector3d {
+    if (!aligned) return random.unit();
+    return (random.index(2) == 0 ? 1 : -1) * a.priors.gravity->target.normalized();
+  };
   initial.target_from_source.translation =
-      a.pose.translation + part() * initial.max_translation * random.unit();
+      a.pose.translation + part() * initial.max_translation * error_direction();
   a.priors.initial_pose = initial;
   a.priors.max_translation = a.pose.translation.norm() / part();
   a.source = (unit * random.in_cube(kCount)).colwise() + offset * random.unit();
   a.target = a.pose.apply(a.source);
-  for (Index i = 0; i < kCount; ++i) a.target.col(i) += part() * a.bound * random.unit();
+  for (Index i = 0; i < kCount; ++i) a.target.col(i) += part() * a.bound * error_direction();
   return a;
 }
 
