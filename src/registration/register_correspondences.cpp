@@ -11,6 +11,7 @@
 #include "parallel/parallel_for.hpp"
 #include "registration/certificate.hpp"
 #include "registration/gmcr_method.hpp"
+#include "registration/noise_estimation.hpp"
 #include "registration/objective.hpp"
 #include "registration/paper_method.hpp"
 #include "registration/scale_search.hpp"
@@ -41,6 +42,12 @@ void validate_input(const PointsRef& source, const PointsRef& target, const Opti
                                   " is not finite");
     }
   }
+}
+
+/// A given pose is judged by a given bound.
+void require_given_noise(const Options& options) {
+  if (options.noise_mode == NoiseMode::Given) return;
+  throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
 }
 
 /// eps_i = beta_i / c (paper, eq:consensus_set).
@@ -148,6 +155,9 @@ ScaleRange scales_to_search(const Options& options, const Correspondences& corre
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options) {
   validate_input(source, target, options);
+  if (options.noise_mode == NoiseMode::Estimated) {
+    return register_with_estimated_noise(source, target, options);
+  }
   Result result;
   SolveContext context(options, result.diagnostics);
   const Deadline clock(0);
@@ -201,6 +211,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options) {
   validate_input(source, target, options);
+  require_given_noise(options);
   const Correspondences input = correspondences_of(source, target, options);
   const Hypothesis judged =
       Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
@@ -211,6 +222,7 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
                                  const PointsRef& target, const std::vector<Index>& inliers,
                                  const Options& options) {
   validate_input(source, target, options);
+  require_given_noise(options);
   for (const Index i : inliers) {
     if (i >= 0 && i < source.cols()) continue;
     throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +
