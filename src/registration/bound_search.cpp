@@ -97,7 +97,7 @@ void BoundSearch::run() {
     climb(size);
     if (size == most || late_ || cancelled_ || (choice_ && choice_->log10 < kSureLog10)) break;
   }
-  for (int round = 0; round < kMaxRounds && choice_; ++round) {
+  for (int round = 0; round < kMaxRounds && choice_ && choice_->log10 < 0; ++round) {
     const double bound = chosen_bound();
     try_bound(bound, selection_size(bound, most));
     const double ratio = chosen_bound() / bound;

@@ -42,7 +42,8 @@ PairDistances::PairDistances(const PointsRef& points) {
 
   // the power law between the lowest distances, few enough to be local and many enough to tell
   const std::size_t last = sorted_.size() - 1;
-  const std::size_t low = std::min<std::size_t>(10, last), high = std::min(10 * low, last);
+  const std::size_t low = std::min<std::size_t>(10, last / 20);
+  const std::size_t high = std::min(10 * low + 9, last);
   tail_radius_ = sorted_[low];
   tail_share_ = static_cast<double>(low + 1) / static_cast<double>(sorted_.size());
   if (sorted_[high] > sorted_[low]) {

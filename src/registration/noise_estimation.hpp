@@ -27,8 +27,10 @@ namespace gmcr {
 /// @return status NoConsensus where chance explains every consensus set, with at least one false
 ///   alarm. `noise_estimate` is there for at least 3 distinct correspondences.
 /// @throws std::invalid_argument where the graph exceeds the memory budget.
-/// Cost: about 11 cheap solves, 0.1 to 1 s, and a full one. Deterministic for any number of threads
-/// unless the time binds; the selections depend on the order of the correspondences.
+/// Cost: about 11 cheap solves and a full one. The cheap ones take 0.02 to 1 s together on 300 to
+/// 5,000 correspondences, known scale at the lower end; up to 10 s with unknown scale where no
+/// consensus stands out. Deterministic for any number of threads unless the time binds; the
+/// selections depend on the order of the correspondences.
 Result register_with_estimated_noise(const PointsRef& source, const PointsRef& target,
                                      const Options& options);
 
