@@ -119,6 +119,7 @@ std::vector<double> BoundSearch::ladder() const {
   std::vector<double> rungs;
   const int count =
       1 + static_cast<int>(std::log(kHighestRung / kLowestRung) / std::log(kRungRatio));
+  rungs.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     rungs.push_back(std::max(kLowestRung * std::pow(kRungRatio, k) * unit, rounding_));
   }
