@@ -120,7 +120,8 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 ///
 /// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
 /// `frontend.max_attempts`, and the best is kept.
-/// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size.
+/// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size, and with
+///   `NoiseMode::Estimated` it comes from the matches of each attempt.
 /// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the
 ///   matches are not known beforehand.
 /// Cost and determinism: those of the two steps.

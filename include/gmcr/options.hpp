@@ -29,8 +29,10 @@ enum class ScaleMode {
 };
 
 enum class NoiseMode {
-  Given,      ///< `Options::noise_bound` or `Options::noise_bounds`
-  Estimated,  ///< one bound for all is chosen from the data; the result says which and how surely
+  Given,  ///< `Options::noise_bound` or `Options::noise_bounds`
+  /// One bound for all is chosen from the data; the result says which and how surely. Both bounds
+  /// below stay empty then.
+  Estimated,
 };
 
 /// Closed interval of scales, 0 < min <= max.

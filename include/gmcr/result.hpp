@@ -15,7 +15,9 @@ namespace gmcr {
 enum class Status {
   Ok,                     ///< `target_from_source` and `inliers` are the answer
   TooFewCorrespondences,  ///< fewer than 3; nothing was estimated, the transform is the identity
-  NoConsensus,            ///< no pose has 3 inliers; the transform is the identity
+  /// No pose has 3 inliers, or the noise was to be estimated and chance explains all that have; the
+  /// transform is the identity.
+  NoConsensus,
   Degenerate,  ///< the inliers do not determine the transform; it is one of many that fit
 };
 
@@ -56,7 +58,9 @@ struct Covariance {
 
 /// The noise bound that was chosen from the data, and how sure that is.
 struct NoiseEstimate {
-  double noise_bound = 0;  ///< metres: the largest error of a right match, times the threshold
+  /// Metres: the tightest bound that keeps a consensus about as sure as any bound, times the
+  /// threshold. For noise in a ball its radius, for Gaussian noise 1.7 to 2.5 standard deviations.
+  double noise_bound = 0;
   /// Bounds over which the consensus is stable: a search with any of those that were tried between
   /// them leads to the same pose. Metres.
   double stable_min = 0, stable_max = 0;
@@ -111,7 +115,8 @@ struct Result {
   /// Where several hypotheses were asked for: the next best poses, by descending evidence. Each
   /// shares at most half of its inliers with any better one.
   std::vector<Alternative> alternatives;
-  std::optional<NoiseEstimate> noise_estimate;  ///< where the noise was to be estimated
+  /// Where the noise was to be estimated and there are at least 3 distinct correspondences.
+  std::optional<NoiseEstimate> noise_estimate;
   Diagnostics diagnostics;
 
   /// Evidence of the best alternative over that of the result, in [0, 1]; near 1: ambiguous. 0

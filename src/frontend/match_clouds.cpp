@@ -79,7 +79,8 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
                    const FrontendOptions& frontend, const Options& options) {
   frontend.validate();
   Options checked = options;
-  if (checked.noise_bound == 0) checked.noise_bound = 1;  // 0 asks for the derived one
+  const bool given = checked.noise_mode == NoiseMode::Given;
+  if (given && checked.noise_bound == 0) checked.noise_bound = 1;  // 0 asks for the derived one
   checked.validate();
   require_finite(source, "source");
   require_finite(target, "target");

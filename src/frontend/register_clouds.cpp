@@ -20,10 +20,24 @@ constexpr Index kMostUnfiltered = 3000;
 /// A solver needs some time to say that it has none.
 constexpr double kLeastSeconds = 1e-3;
 
-Options solver_options(const Options& options, const CloudMatches& matches) {
-  Options solver = options;
-  solver.noise_bound = matches.noise_bound;
-  return solver;
+/// Options to solve with, or to judge a pose with: by then the bound is known.
+Options options_with_bound(const Options& options, const CloudMatches& matches) {
+  Options given = options;
+  given.noise_mode = NoiseMode::Given;
+  given.noise_bound = matches.noise_bound;
+  return given;
+}
+
+/// Registers the matches, with the bound that they come with or one from the matches themselves,
+/// which then is theirs.
+Result register_matches(CloudMatches& matches, const Options& options) {
+  if (options.noise_mode == NoiseMode::Given) {
+    return register_correspondences(matches.source, matches.target,
+                                    options_with_bound(options, matches));
+  }
+  Result result = register_correspondences(matches.source, matches.target, options);
+  if (result.noise_estimate) matches.noise_bound = result.noise_estimate->noise_bound;
+  return result;
 }
 
 /// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
@@ -39,7 +53,7 @@ void measure_fit(CloudResult& result, const Options& options) {
   result.fitness = forward.fitness;
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
-  Options distinct = solver_options(options, matches);
+  Options distinct = options_with_bound(options, matches);
   distinct.evidence = Evidence::Distinct;
   result.distinct_evidence =
       evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
@@ -59,8 +73,7 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
   if (!first && BitsetGraph::bytes_required(num_matches) > options.budget.memory) {
     return std::nullopt;
   }
-  result.registration = register_correspondences(result.matches.source, result.matches.target,
-                                                 solver_options(options, result.matches));
+  result.registration = register_matches(result.matches, options);
   const Status status = result.registration.status;
   if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
   judge(result);
@@ -124,7 +137,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options) {
   Result& registration = result.registration;
-  const Options solver = solver_options(options, result.matches);
+  const Options solver = options_with_bound(options, result.matches);
   Consensus consensus =
       evaluate_consensus(target_from_source, result.matches.source, result.matches.target, solver);
   Uncertainty uncertainty = evaluate_uncertainty(target_from_source, result.matches.source,

@@ -8,10 +8,20 @@
 #include "registration/uncertainty.hpp"
 
 namespace gmcr {
+namespace {
+
+/// A given pose is judged by a given bound.
+void require_given_noise(const Options& options) {
+  if (options.noise_mode == NoiseMode::Given) return;
+  throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
+}
+
+}  // namespace
 
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options) {
   validate_input(source, target, options);
+  require_given_noise(options);
   const Correspondences input = correspondences_of(source, target, options);
   const Hypothesis judged =
       Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
@@ -22,6 +32,7 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
                                  const PointsRef& target, const std::vector<Index>& inliers,
                                  const Options& options) {
   validate_input(source, target, options);
+  require_given_noise(options);
   for (const Index i : inliers) {
     if (i >= 0 && i < source.cols()) continue;
     throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +

@@ -24,7 +24,11 @@ void require_positive(const std::string& field, double value) {
 }  // namespace
 
 void Options::validate() const {
-  if (noise_bounds.empty()) {
+  if (noise_mode == NoiseMode::Estimated) {
+    require(noise_bound == 0, "noise_bound", noise_bound, "is given, but is to be estimated");
+    require(noise_bounds.empty(), "noise_bounds", static_cast<double>(noise_bounds.size()),
+            "values are given, but the noise is to be estimated");
+  } else if (noise_bounds.empty()) {
     require_positive("noise_bound", noise_bound);
   } else {
     require(noise_bound == 0, "noise_bound", noise_bound, "must be 0 where noise_bounds is given");

@@ -12,6 +12,7 @@
 #include "registration/conclude.hpp"
 #include "registration/gmcr_method.hpp"
 #include "registration/input.hpp"
+#include "registration/noise_estimation.hpp"
 #include "registration/objective.hpp"
 #include "registration/paper_method.hpp"
 #include "registration/scale_search.hpp"
@@ -75,6 +76,9 @@ std::string no_pose_reason(const Diagnostics& diagnostics, const Options& option
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options) {
   validate_input(source, target, options);
+  if (options.noise_mode == NoiseMode::Estimated) {
+    return register_with_estimated_noise(source, target, options);
+  }
   Result result;
   SolveContext context(options, result.diagnostics);
   const Deadline clock(0);

@@ -100,6 +100,23 @@ TEST(WithPose, OfAWrongPoseIsNotTrusted) {
   EXPECT_EQ(wrong.fitness, 0);
 }
 
+TEST(RegisterClouds, ChoosesTheNoiseBoundFromTheMatches) {
+  Options options;
+  options.noise_mode = NoiseMode::Estimated;
+  const Points source = bumpy_sphere(5000, 1);
+  const Similarity truth = some_motion();
+  const CloudResult result =
+      register_clouds(source, truth.apply(bumpy_sphere(5000, 2)), {}, options);
+  EXPECT_EQ(result.registration.status, Status::Ok);
+  ASSERT_TRUE(result.registration.noise_estimate);
+  EXPECT_EQ(result.matches.noise_bound, result.registration.noise_estimate->noise_bound);
+  EXPECT_LT(result.matches.noise_bound, 4 * result.matches.target_voxel_size);
+  EXPECT_LT(mean_point_error(result.registration.target_from_source, truth, source),
+            result.matches.noise_bound);
+  const CloudResult same = with_pose(result, result.registration.target_from_source, options);
+  EXPECT_EQ(same.registration.inliers, result.registration.inliers);
+}
+
 TEST(RegisterClouds, StopsTheAttemptsWhenTheTimeIsUp) {
   Options options;
   options.budget.time = 1e-9;
