@@ -159,7 +159,8 @@ void add_result(Report& report, const Result& result, const Options& options,
   report.line("inliers",
               share(static_cast<Index>(result.inliers.size()), diagnostics.num_correspondences));
   if (diagnostics.num_used != diagnostics.num_correspondences) {
-    report.line("used", share(diagnostics.num_used, diagnostics.num_correspondences));
+    report.line("used", share(diagnostics.num_used, diagnostics.num_correspondences) +
+                            ", those that the priors admit");
   }
   add_certificate(report, result, options);
   if (options.evidence == Evidence::Distinct && !result.inliers.empty()) {
