@@ -7,6 +7,8 @@
 
 #include "gmcr/frontend.hpp"
 #include "gmcr/options.hpp"
+#include "noise_arguments.hpp"
+#include "priors_arguments.hpp"
 
 namespace gmcr::cli {
 
@@ -31,18 +33,18 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Enum& value,
   return command.add_option(name, parse, help)->type_name(names)->default_str(current)->expected(1);
 }
 
-/// Refuses a number with a minus sign, which an unsigned option would take for a huge one.
-CLI::Validator not_negative();
-
 /// Solver options as they are given on the command line.
 struct SolverArguments {
   Options options;
+  NoiseArguments noise;
   std::vector<double> scale_range;
+  PriorsArguments priors;
 
-  /// Adds what every solve takes, but for the noise bound.
+  /// Adds what every solve takes, but for the noise bound, whose default differs.
   void add_to(CLI::App& command);
 
   /// The options with what the command line gave.
+  /// @throws as `PriorsArguments::resolved`.
   Options resolved() const;
 };
 

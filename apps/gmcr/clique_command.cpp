@@ -9,6 +9,7 @@
 #include "json.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
+#include "validators.hpp"
 
 namespace gmcr::cli {
 namespace {

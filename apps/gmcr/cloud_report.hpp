@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "gmcr/frontend.hpp"
-#include "json.hpp"
 #include "refine.hpp"
 #include "report.hpp"
+#include "result_json.hpp"
 
 namespace gmcr::cli {
 
@@ -13,10 +13,12 @@ namespace gmcr::cli {
 Points read_points(const std::filesystem::path& path);
 
 /// The contract of `register --json`.
-Json to_json(const CloudResult& result, const Refinement& refinement, double total_seconds);
+/// @param options  that the result was computed with.
+Json to_json(const CloudResult& result, const Options& options, const Refinement& refinement,
+             double total_seconds);
 
 /// The same for people.
-void add_cloud_result(Report& report, const CloudResult& result, const Refinement& refinement,
-                      double total_seconds);
+void add_cloud_result(Report& report, const CloudResult& result, const Options& options,
+                      const Refinement& refinement, double total_seconds);
 
 }  // namespace gmcr::cli

@@ -55,8 +55,14 @@ Estimate parse_json(const std::filesystem::path& path) {
   }
 }
 
+/// A JSON object starts with a brace, which no 4 x 4 text does.
+bool is_json(const std::filesystem::path& path) {
+  char first = 0;
+  return std::ifstream(path) >> first && first == '{';
+}
+
 Estimate read_estimate(const std::filesystem::path& path) {
-  if (path.extension() == ".json") return parse_json(path);
+  if (is_json(path)) return parse_json(path);
   return {"ok", read_transform(path)};
 }
 

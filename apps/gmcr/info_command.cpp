@@ -1,12 +1,11 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <thread>
-
 #include "commands.hpp"
 #include "gmcr/frontend.hpp"
 #include "gmcr/isa.hpp"
 #include "gmcr/options.hpp"
+#include "gmcr/registration.hpp"
 #include "gmcr/version.hpp"
 #include "json.hpp"
 #include "report.hpp"
@@ -26,6 +25,7 @@ Json defaults() {
   json["scale"] = options.scale;
   json["method"] = options.method == Method::Gmcr ? "gmcr" : "paper";
   json["evidence"] = options.evidence == Evidence::Distinct ? "distinct" : "count";
+  json["hypotheses"] = options.num_hypotheses;
   json["time_limit"] = options.budget.time;
   json["memory_limit"] = options.budget.memory;
   json["normal_radius"] = frontend.normal_radius;
@@ -33,7 +33,18 @@ Json defaults() {
   json["noise_bound_voxels"] = frontend.noise_bound_voxels;
   json["max_ratio"] = frontend.max_ratio;
   json["attempts"] = frontend.max_attempts;
+  const InstanceOptions instances;
+  json["min_instance_inliers"] = instances.min_inliers;
+  json["min_instance_share"] = instances.min_share;
   return json;
+}
+
+/// Threads that the solver uses where it may use all; it says so of no matches at all too.
+int num_threads() {
+  Options options;
+  options.noise_bound = 1;
+  const Points none(3, 0);
+  return register_correspondences(none, none, options).diagnostics.num_threads;
 }
 
 ExitCode run(bool as_json) {
@@ -41,7 +52,7 @@ ExitCode run(bool as_json) {
   json["version"] = kVersion;
   json["isa"] = active_isa();
   json["supported_isas"] = supported_isas();
-  json["threads"] = std::max(1u, std::thread::hardware_concurrency());
+  json["threads"] = num_threads();
   json["build_type"] = GMCR_BUILD_TYPE;
   json["compiler"] = __VERSION__;
   json["defaults"] = defaults();

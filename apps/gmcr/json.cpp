@@ -8,20 +8,11 @@
 #include <fstream>
 
 #include "gmcr/io.hpp"
-#include "gmcr/isa.hpp"
-#include "gmcr/version.hpp"
 
 namespace gmcr::cli {
 namespace {
 
 constexpr int kIndent = 2;
-
-Json stage_times(const Result& result, double total_seconds) {
-  Json times;
-  times["total"] = 1000 * total_seconds;
-  for (const StageTime& stage : result.diagnostics.stages) times[stage.name] = 1000 * stage.seconds;
-  return times;
-}
 
 }  // namespace
 
@@ -33,37 +24,6 @@ Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-Json to_json(const Result& result, double total_seconds) {
-  const Similarity& pose = result.target_from_source;
-  const Diagnostics& diagnostics = result.diagnostics;
-  Json json;
-  json["status"] = to_string(result.status);
-  json["status_reason"] = result.status_reason;
-  json["scale"] = pose.scale;
-  json["rotation"] = rows_of(pose.rotation);
-  json["translation"] =
-      Json::array({pose.translation.x(), pose.translation.y(), pose.translation.z()});
-  json["target_from_source"] = rows_of(pose.matrix());
-  json["num_correspondences"] = diagnostics.num_correspondences;
-  json["num_used"] = diagnostics.num_used;
-  json["num_inliers"] = result.inliers.size();
-  json["inliers"] = result.inliers;
-  json["evidence"] = result.evidence;
-  json["certificate"] = {{"lower", result.certificate.lower},
-                         {"upper", result.certificate.upper},
-                         {"certified", result.certificate.certified}};
-  json["time_ms"] = stage_times(result, total_seconds);
-  json["scale_range"] = Json::array({diagnostics.scale_range.min, diagnostics.scale_range.max});
-  json["num_candidates"] = diagnostics.num_candidates;
-  json["num_scale_ranges"] = diagnostics.num_scale_ranges;
-  json["num_clique_nodes"] = diagnostics.num_clique_nodes;
-  json["limits_hit"] = diagnostics.limits_hit;
-  json["threads"] = diagnostics.num_threads;
-  json["isa"] = active_isa();
-  json["version"] = kVersion;
-  return json;
 }
 
 void print(const Json& json) {

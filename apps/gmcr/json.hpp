@@ -1,20 +1,16 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "gmcr/result.hpp"
-
 namespace gmcr::cli {
 
+/// Fields in the order in which they were set. A number that is not finite is printed as null.
 using Json = nlohmann::ordered_json;
 
 /// Rows of rows.
 Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
-
-/// The fields of a result that are the contract of `--json`.
-/// @param total_seconds  wall time of the work without reading files.
-Json to_json(const Result& result, double total_seconds);
 
 /// Prints the object on stdout, with full precision.
 void print(const Json& json);

@@ -35,15 +35,27 @@ std::string with_option_name(const std::string& message) {
       end != std::string::npos &&
       field.find_first_not_of("abcdefghijklmnopqrstuvwxyz_.") == std::string::npos;
   if (!is_field) return message;
-  for (const auto& [name, option] : {std::pair{"budget.time", "time-limit"},
-                                     {"budget.memory", "memory-limit"},
-                                     {"num_threads", "threads"},
-                                     {"voxel_size", "voxel"},
-                                     {"source_voxel_size", "source-voxel"},
-                                     {"max_attempts", "attempts"},
-                                     {"num_correspondences", "num"},
-                                     {"outlier_rate", "outliers"},
-                                     {"noise_extent", "noise"}}) {
+  for (const auto& [name, option] :
+       {std::pair{"budget.time", "time-limit"},
+        {"budget.memory", "memory-limit"},
+        {"num_threads", "threads"},
+        {"num_hypotheses", "hypotheses"},
+        {"max_instances", "instances"},
+        {"min_inliers", "min-instance-inliers"},
+        {"min_share", "min-instance-share"},
+        {"priors.gravity.source", "gravity"},
+        {"priors.gravity.target", "gravity"},
+        {"priors.gravity.max_tilt", "max-tilt"},
+        {"priors.max_translation", "max-translation"},
+        {"priors.initial_pose.max_rotation", "max-rotation-error"},
+        {"priors.initial_pose.max_translation", "max-translation-error"},
+        {"noise_mode", "noise-bound"},
+        {"voxel_size", "voxel"},
+        {"source_voxel_size", "source-voxel"},
+        {"max_attempts", "attempts"},
+        {"num_correspondences", "num"},
+        {"outlier_rate", "outliers"},
+        {"noise_extent", "noise"}}) {
     if (field == name) field = option;
   }
   if (field == "source" || field == "target" || field == "points") return message;

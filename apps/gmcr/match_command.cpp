@@ -82,8 +82,10 @@ void add_match_command(CLI::App& app, Work& work) {
   command.add_option("--scale", arguments->options.scale, "Known scale, target / source")
       ->capture_default_str()
       ->excludes(estimate);
-  command.add_flag("--one-to-one", arguments->clouds.frontend.one_to_one,
-                   "Of the matches that share a target, keep the closest (with --no-mutual)");
+  command
+      .add_flag("--one-to-one", arguments->clouds.frontend.one_to_one,
+                "Of the matches that share a target, keep the closest (with --no-mutual)")
+      ->group("Matching");
   command.add_option("--threads", arguments->options.num_threads, "Threads; 0 uses every core")
       ->capture_default_str();
   command.add_flag("--json", arguments->json, "Print one JSON object");

@@ -19,7 +19,18 @@ Examples:
   gmcr register scan2.ply scan1.ply
   gmcr register 000010.bin 000000.bin --voxel 0.3 -o T.txt --aligned aligned.ply
   gmcr register model.ply scene.pcd --estimate-scale --scale-range 0.1 10
-  gmcr register a.ply b.ply --refine none --json > result.json)";
+  gmcr register a.ply b.ply --refine none --json > result.json
+
+  the noise bound from the matches, not from the voxel size:
+    gmcr register a.ply b.ply --noise-bound auto
+  both scans are level to within 2 degrees, and at most 20 m apart:
+    gmcr register b.bin a.bin --gravity 0 0 -1 --max-tilt 2 --max-translation 20
+  odometry says where to look:
+    gmcr register b.bin a.bin --initial-pose T0.txt --max-rotation-error 15 --max-translation-error 2
+  prove the consensus a maximum one, for up to 10 s:
+    gmcr register a.ply b.ply --certify --time-limit 10
+  the object may be symmetric: the 3 best poses
+    gmcr register model.ply scene.ply --hypotheses 3)";
 
 enum class Refine { Icp, None };
 
@@ -62,9 +73,9 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
 }
 
 ExitCode run(const Arguments& arguments) {
+  Options options = arguments.solver.resolved();
   const Points source = read_points(arguments.clouds.source);
   const Points target = read_points(arguments.clouds.target);
-  Options options = arguments.solver.resolved();
   CloudResult result;
   Refinement refinement;
   double seconds = 0;
@@ -78,13 +89,13 @@ ExitCode run(const Arguments& arguments) {
     if (arguments.refine == Refine::Icp) refinement = refine_with_icp(result, options);
     seconds = stopwatch.seconds();
   }
-  const Json json = to_json(result, refinement, seconds);
+  const Json json = to_json(result, options, refinement, seconds);
   const std::vector<std::string> written = write_files(arguments, result, source, json);
   if (arguments.json) {
     print(json);
   } else {
     Report report;
-    add_cloud_result(report, result, refinement, seconds);
+    add_cloud_result(report, result, options, refinement, seconds);
     for (const std::string& path : written) report.line("written", path);
     report.print();
   }
@@ -100,24 +111,27 @@ void add_register_command(CLI::App& app, Work& work) {
   command
       .add_option("--attempts", arguments->clouds.frontend.max_attempts,
                   "Settings to try before settling for a doubtful result")
-      ->capture_default_str();
-  command
-      .add_option("--noise-bound", arguments->solver.options.noise_bound,
-                  fmt::format("Largest error of a right match, metres; 0: {} voxels",
-                              FrontendOptions{}.noise_bound_voxels))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("Matching");
+  arguments->solver.noise
+      .add_to(command, fmt::format("Largest error of a right match, metres; 0: {} voxels; auto: "
+                                   "chosen from the matches",
+                                   FrontendOptions{}.noise_bound_voxels))
+      ->default_str("0");
   arguments->solver.add_to(command);
   add_choice<Refine>(command, "--refine", arguments->refine,
-                     {{"icp", Refine::Icp}, {"none", Refine::None}}, "Refinement of the pose");
-  command.add_option("-o,--output", arguments->transform, "Write the 4 x 4 transform")
-      ->type_name("T.txt");
-  command.add_option("--aligned", arguments->aligned, "Write the source after the transform")
-      ->type_name("CLOUD");
-  command.add_option("--matches", arguments->matches, "Write the matches that inliers index")
-      ->type_name("MATCHES");
-  command.add_option("--json-file", arguments->json_file, "Write the JSON object to a file too")
-      ->type_name("FILE");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+                     {{"icp", Refine::Icp}, {"none", Refine::None}}, "Refinement of the pose")
+      ->group("Answers");
+  constexpr const char* kOutput = "Output";
+  const auto add_path = [&](const char* name, std::string& path, const char* help,
+                            const char* type) {
+    command.add_option(name, path, help)->type_name(type)->group(kOutput);
+  };
+  add_path("-o,--output", arguments->transform, "Write the 4 x 4 transform", "T.txt");
+  add_path("--aligned", arguments->aligned, "Write the source after the transform", "CLOUD");
+  add_path("--matches", arguments->matches, "Write the matches that inliers index", "MATCHES");
+  add_path("--json-file", arguments->json_file, "Write the JSON object to a file too", "FILE");
+  command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

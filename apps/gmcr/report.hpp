@@ -4,9 +4,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "gmcr/result.hpp"
+#include "gmcr/types.hpp"
 
 namespace gmcr::cli {
 
@@ -28,9 +27,6 @@ class Report {
   bool is_terminal_;
   std::string text_;
 };
-
-/// Appends status, pose, inliers, certificate, times and limits.
-void add_result(Report& report, const Result& result, double total_seconds);
 
 /// "44 of 5344 (0.8 %)".
 std::string share(Index part, Index whole);

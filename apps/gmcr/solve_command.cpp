@@ -1,51 +1,85 @@
+#include <optional>
+
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/registration.hpp"
-#include "json.hpp"
 #include "progress.hpp"
-#include "report.hpp"
+#include "result_json.hpp"
+#include "result_report.hpp"
 #include "stopwatch.hpp"
+#include "validators.hpp"
 
 namespace gmcr::cli {
 namespace {
 
 constexpr const char* kExamples =
     R"(MATCHES is a CSV with the columns ax,ay,az,bx,by,bz (source point, target point; also
-sx,sy,sz,tx,ty,tz, by name among others) or an .npy of shape (N, 6).
+sx,sy,sz,tx,ty,tz, by name among others) or an .npy of shape (N, 6). A 7th column (noise_bound)
+holds a noise bound for each match, instead of --noise-bound.
 
 Examples:
   gmcr solve matches.csv --noise-bound 0.05
   gmcr solve matches.npy --noise-bound 0.05 --estimate-scale --scale-range 0.1 10
   gmcr solve matches.csv --noise-bound 0.6 --evidence count --json > result.json
-  gmcr solve matches.csv --noise-bound 0.6 -o T.txt --inliers inliers.txt)";
+  gmcr solve matches.csv --noise-bound 0.6 -o T.txt --inliers inliers.txt
+
+  the noise bound is not known:
+    gmcr solve matches.csv --noise-bound auto
+  the matches bring their own, in a column noise_bound:
+    gmcr solve weighted.csv
+  both scans are level to within 2 degrees, and at most 20 m apart:
+    gmcr solve matches.csv --noise-bound 0.6 --gravity 0 0 -1 --max-tilt 2 --max-translation 20
+  odometry says where to look:
+    gmcr solve matches.csv --noise-bound 0.6 --initial-pose odometry.txt --max-rotation-error 15
+  prove the consensus a maximum one, for up to 10 s:
+    gmcr solve matches.csv --noise-bound 0.05 --certify --time-limit 10
+  the object may be symmetric: the 3 best poses
+    gmcr solve matches.csv --noise-bound 0.05 --hypotheses 3
+  several of the object in the scene: up to 5 of at least 10 matches each
+    gmcr solve matches.csv --noise-bound 0.05 --instances 5 --min-instance-inliers 10)";
 
 struct Arguments {
   std::string matches;
   SolverArguments solver;
+  bool wants_instances = false;
+  InstanceOptions instances;
   std::string transform_path;
   std::string inliers_path;
   bool json = false;
 };
 
+/// One result, or one for each instance where these were asked for.
+std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
+                          const Options& options) {
+  if (arguments.wants_instances) {
+    return register_instances(matches.source, matches.target, options, arguments.instances);
+  }
+  return {register_correspondences(matches.source, matches.target, options)};
+}
+
 ExitCode run(const Arguments& arguments) {
-  const Matches matches = read_matches(arguments.matches);
   Options options = arguments.solver.resolved();
+  const Matches matches = read_matches(arguments.matches);
+  arguments.solver.noise.check_against(matches, options);
   ProgressLine progress;
   options.progress = progress.callback();
   const Stopwatch stopwatch;
-  const Result result = register_correspondences(matches.source, matches.target, options);
+  const std::vector<Result> results = solve(arguments, matches, options);
   const double seconds = stopwatch.seconds();
-  const bool is_ok = result.status == Status::Ok;
+  const Result& best = results.front();
+  const bool is_ok = best.status == Status::Ok;
   if (is_ok && !arguments.transform_path.empty()) {
-    write_transform(arguments.transform_path, result.target_from_source);
+    write_transform(arguments.transform_path, best.target_from_source);
   }
-  if (!arguments.inliers_path.empty()) write_indices(arguments.inliers_path, result.inliers);
+  if (!arguments.inliers_path.empty()) write_indices(arguments.inliers_path, best.inliers);
   if (arguments.json) {
-    print(to_json(result, seconds));
+    print(arguments.wants_instances ? to_json(results, options, seconds)
+                                    : to_json(best, options, seconds));
   } else {
     Report report;
-    add_result(report, result, seconds);
+    add_result(report, best, options, seconds);
+    if (arguments.wants_instances) add_instances(report, results);
     if (is_ok && !arguments.transform_path.empty()) {
       report.line("written", arguments.transform_path);
     }
@@ -54,22 +88,56 @@ ExitCode run(const Arguments& arguments) {
   return is_ok ? kPoseFound : kNoPose;
 }
 
+void add_instance_options(CLI::App& command, Arguments& arguments) {
+  constexpr const char* kGroup = "Answers";
+  auto* instances = command.add_option_function<int>(
+      "--instances",
+      [&arguments](int count) {
+        arguments.wants_instances = true;
+        arguments.instances.max_instances = count;
+      },
+      "Find up to K instances of the source in the target, best first");
+  instances->check(at_least(1))->type_name("K")->group(kGroup);
+  command
+      .add_option("--min-instance-inliers", arguments.instances.min_inliers,
+                  "Inliers that an instance needs")
+      ->check(at_least(3))
+      ->type_name("N")
+      ->needs(instances)
+      ->capture_default_str()
+      ->group(kGroup);
+  command
+      .add_option("--min-instance-share", arguments.instances.min_share,
+                  "Share of the evidence of the first instance that another needs")
+      ->check(between(0, 1))
+      ->needs(instances)
+      ->capture_default_str()
+      ->group(kGroup);
+}
+
 }  // namespace
 
 void add_solve_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("solve", "Pose from a file of putative matches");
   command.add_option("MATCHES", arguments->matches, "Matches, .csv or .npy")->required();
-  command
-      .add_option("--noise-bound", arguments->solver.options.noise_bound,
-                  "Largest error of a right match, metres")
-      ->required();
+  arguments->solver.noise.add_to(command,
+                                 "Largest error of a right match, metres; auto: chosen from the "
+                                 "matches. Required unless MATCHES has a 7th column");
   arguments->solver.add_to(command);
-  command.add_option("-o,--output", arguments->transform_path, "Write the 4 x 4 transform")
-      ->type_name("T.txt");
-  command.add_option("--inliers", arguments->inliers_path, "Write the inlier indices, from 0")
-      ->type_name("FILE");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  add_instance_options(command, *arguments);
+  constexpr const char* kOutput = "Output";
+  command
+      .add_option("-o,--output", arguments->transform_path,
+                  "Write the 4 x 4 transform, of the first instance")
+      ->type_name("T.txt")
+      ->group(kOutput);
+  command
+      .add_option("--inliers", arguments->inliers_path,
+                  "Write its inlier indices, from 0, one a line")
+      ->type_name("FILE")
+      ->group(kOutput);
+  command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

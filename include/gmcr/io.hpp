@@ -58,22 +58,26 @@ Cloud read_cloud(const std::filesystem::path& path);
 /// @throws IoError where the extension is unknown or the file cannot be written.
 void write_cloud(const std::filesystem::path& path, const PointsRef& points);
 
-/// Reads correspondences from `.csv` or `.npy` ((N, 6)). Row i of the data is correspondence i, N
-/// may be 0 where a header or the shape says what the columns are.
+/// Reads correspondences from `.csv` or `.npy` ((N, 6) or (N, 7)). Row i of the data is
+/// correspondence i, N may be 0 where a header or the shape says what the columns are.
 ///
-/// A CSV without a header has exactly 6 columns: source x, y, z, target x, y, z. A header may name
-/// the columns ax..bz, sx..tz, source_x..target_z or src_x..dst_z, in any order and among others,
-/// which are ignored; a header with other names needs exactly 6 columns.
-/// @throws IoError as `read_cloud`, and where a value is not finite, since a row cannot be dropped
-///   without renumbering the others.
+/// A CSV without a header has exactly 6 or 7 columns: source x, y, z, target x, y, z and, if there
+/// is one, the noise bound of the correspondence, metres, > 0. A header may name the columns
+/// ax..bz, sx..tz, source_x..target_z or src_x..dst_z and noise_bound (also bound or beta), in any
+/// case and order and among others, which are ignored; a header with other names needs exactly 6
+/// columns beside the noise bound.
+/// @throws IoError as `read_cloud`, and where a value is not finite or a bound not positive, since
+///   a row cannot be dropped without renumbering the others.
 Matches read_matches(const std::filesystem::path& path);
 
 /// Writes correspondences (3 x N each, the same N) as `.csv` with the header ax,ay,az,bx,by,bz or
-/// as
-/// `.npy` (N, 6); reading the file gives the same bits.
-/// @throws IoError as `write_cloud`; std::invalid_argument where the sizes differ.
+/// as `.npy` (N, 6); reading the file gives the same bits.
+/// @param noise_bounds  N values, metres, > 0, finite, or empty. Where given they are a 7th column,
+///   in the header noise_bound.
+/// @throws IoError as `write_cloud`; std::invalid_argument where the sizes differ or a bound is not
+///   positive and finite.
 void write_matches(const std::filesystem::path& path, const PointsRef& source,
-                   const PointsRef& target);
+                   const PointsRef& target, std::span<const double> noise_bounds = {});
 
 /// Reads a 4 x 4 row-major text file, target_from_source; `#` starts a comment line.
 /// @throws IoError where it does not hold 16 numbers in rows of 4 that are a similarity to 1e-3.

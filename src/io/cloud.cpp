@@ -75,7 +75,7 @@ Points parse_cloud(const std::filesystem::path& path, const std::string& extensi
   if (extension == ".xyz") return io::parse_table(path, bytes, choose_first_columns).values;
   if (extension == ".pts") return parse_pts(path, bytes);
   if (extension == ".csv") return io::parse_table(path, bytes, choose_csv_columns).values;
-  if (extension == ".npy") return io::parse_npy(path, bytes, 3);
+  if (extension == ".npy") return io::parse_npy(path, bytes, {3});
   return parse_binary(path, bytes, extension == ".bin" ? 4 : 5);
 }
 

@@ -1,5 +1,6 @@
 #include "io/npy.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -110,6 +111,14 @@ std::string shown(const std::vector<Index>& shape) {
   return text + ")";
 }
 
+std::string shapes_of(const std::vector<Index>& num_columns) {
+  std::string text;
+  for (const Index count : num_columns) {
+    text += (text.empty() ? "(N, " : " or (N, ") + std::to_string(count) + ")";
+  }
+  return text;
+}
+
 /// Splits the bytes into header text and data.
 struct Parts {
   std::string_view header;
@@ -151,20 +160,20 @@ Eigen::MatrixXd load_matrix(std::string_view data, const Header& header) {
 }  // namespace
 
 Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view bytes,
-                          Index num_columns) {
+                          const std::vector<Index>& num_columns) {
   const Parts parts = split(path, bytes);
   const auto header = HeaderParser(parts.header).parse();
   if (!header) throw IoError(path, 0, "malformed .npy header");
   if (header->descr != "<f4" && header->descr != "<f8") {
     throw IoError(path, 0, "dtype '" + header->descr + "', expected '<f4' or '<f8'");
   }
-  if (header->shape.size() != 2 || header->shape[1] != num_columns) {
-    throw IoError(
-        path, 0,
-        "shape " + shown(header->shape) + ", expected (N, " + std::to_string(num_columns) + ")");
+  if (header->shape.size() != 2 ||
+      std::find(num_columns.begin(), num_columns.end(), header->shape[1]) == num_columns.end()) {
+    throw IoError(path, 0,
+                  "shape " + shown(header->shape) + ", expected " + shapes_of(num_columns));
   }
   const std::size_t row_bytes =
-      static_cast<std::size_t>(num_columns) * (header->descr == "<f4" ? 4 : 8);
+      static_cast<std::size_t>(header->shape[1]) * (header->descr == "<f4" ? 4 : 8);
   const auto rows = static_cast<std::size_t>(header->shape[0]);
   // the division keeps a lying row count from overflowing
   if (rows != parts.data.size() / row_bytes || parts.data.size() % row_bytes != 0) {

@@ -4,18 +4,18 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gmcr/types.hpp"
 
 namespace gmcr::io {
 
-/// The transpose of an .npy array of shape (N, num_columns): num_columns x N, so that one row of
-/// the file is one column.
+/// The transpose of an .npy array of shape (N, W), W one of `num_columns`: W x N, so that one row
+/// of the file is one column.
 /// @throws IoError unless it is a little-endian float32 or float64 array of that shape, complete
-/// and
-///   with nothing behind it.
+///   and with nothing behind it.
 Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view bytes,
-                          Index num_columns);
+                          const std::vector<Index>& num_columns);
 
 /// The bytes of the .npy file of the transpose of `values`: version 1.0, float64, C order.
 std::string format_npy(const Eigen::Ref<const Eigen::MatrixXd>& values);

@@ -1,3 +1,5 @@
+#include <sched.h>
+
 #include <Eigen/LU>
 
 #include "cli/tool.hpp"
@@ -151,6 +153,11 @@ TEST_F(SolveContract, EvalReadsTheTransformAndTheJson) {
   EXPECT_NEAR(from_text.at("rotation_error_deg").get<double>(),
               from_json.at("rotation_error_deg").get<double>(), 1e-9);
   EXPECT_FALSE(from_text.contains("mean_point_error"));
+  folder_.write("result", "\n " + result.out);
+  EXPECT_EQ(run_json("eval " + path("result") + " " + path("T.txt")), from_json)
+      << "the content says what it is, not the name";
+  folder_.write("transform.json", test::content_of(folder_ / "out.txt"));
+  EXPECT_EQ(run_json("eval " + path("transform.json") + " " + path("T.txt")), from_text);
   write_cloud(folder_ / "points.ply", problem_.source);
   const json with_points =
       run_json("eval " + path("out.txt") + " " + path("T.txt") + " --points " + path("points.ply"));
@@ -182,6 +189,21 @@ TEST(InfoContract, SaysVersionAndDefaults) {
   EXPECT_TRUE(result.at("version").is_string());
   EXPECT_EQ(result.at("defaults").at("threshold"), Options{}.threshold);
   EXPECT_EQ(result.at("defaults").at("time_limit"), Options{}.budget.time);
+}
+
+TEST(InfoContract, CountsTheThreadsThatTheProcessMayUse) {
+  cpu_set_t all;
+  ASSERT_EQ(sched_getaffinity(0, sizeof(all), &all), 0);
+  EXPECT_EQ(run_json("info").at("threads"), CPU_COUNT(&all));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++cpu) {
+    if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &one);
+  }
+  ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);
+  const json restricted = run_json("info");
+  ASSERT_EQ(sched_setaffinity(0, sizeof(all), &all), 0);
+  EXPECT_EQ(restricted.at("threads"), 1);
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ TEST(Usage, ThatIsWrongIsRefusedOnOneLine) {
   expect_failure("frobnicate", 2, "frobnicate");
   expect_failure("info --wrong", 2, "--wrong");
   expect_failure("solve", 2, "MATCHES");
-  expect_failure("solve m.csv", 2, "--noise-bound");
   expect_failure("solve m.csv --noise-bound 1 --wrong", 2, "--wrong");
   expect_failure("solve m.csv --noise-bound wide", 2, "--noise-bound");
   expect_failure("solve m.csv --noise-bound 1 --method best", 2, "'best' is none of gmcr|paper");
@@ -82,6 +81,7 @@ TEST(File, ThatCannotBeReadOrWrittenIsNamed) {
   expect_failure("clique " + folder.write("h.clq", "p edge 9999999 1\n").string(), 3, "bytes");
   expect_failure("eval " + path("none.txt") + " " + truth, 3, "none.txt");
   expect_failure("eval " + folder.write("r.json", "{").string() + " " + truth, 3, "no JSON");
+  expect_failure("eval " + folder.write("r", " {").string() + " " + truth, 3, "no JSON");
   expect_failure("eval " + folder.write("s.json", "{}").string() + " " + truth, 3,
                  "target_from_source");
   expect_failure("synth -o /nowhere/m.csv", 3, "/nowhere/m.csv");

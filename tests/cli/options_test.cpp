@@ -68,14 +68,6 @@ TEST_F(SolveOption, ThreadsAreReportedAndChangeNoBit) {
   EXPECT_EQ(one.at("target_from_source"), two.at("target_from_source"));
 }
 
-TEST_F(SolveOption, OneToOneDropsSharedPoints) {
-  Points source = problem_.source;
-  source.col(1) = source.col(0);
-  write_matches(folder_ / "m.csv", source, problem_.target);
-  EXPECT_EQ(solve("--noise-bound 0.01 --scale 2").at("num_used"), 150);
-  EXPECT_LT(solve("--noise-bound 0.01 --scale 2 --one-to-one").at("num_used"), 150);
-}
-
 TEST_F(SolveOption, LimitsAreReportedWhereTheyBind) {
   EXPECT_TRUE(solve("--noise-bound 0.01 --scale 2").at("limits_hit").empty());
   const auto output = test::run_tool("solve '" + (folder_ / "m.csv").string() +

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cli/tool.hpp"
+#include "gmcr/frontend.hpp"
 #include "gmcr/io.hpp"
 
 namespace gmcr {
@@ -87,6 +88,28 @@ TEST_F(Register, RefinesOnlyWhereAsked) {
   EXPECT_FALSE(plain.at("time_ms").contains("refinement"));
   EXPECT_TRUE(refined.at("time_ms").contains("refinement"));
   EXPECT_NE(plain.at("target_from_source"), refined.at("target_from_source"));
+}
+
+TEST_F(Register, NoiseBoundIsGivenOrFromTheVoxelsOrFromTheMatches) {
+  EXPECT_EQ(run_json(command() + "--noise-bound 0.07").at("noise_bound"), 0.07);
+  const json voxels = run_json(command());
+  EXPECT_NEAR(voxels.at("noise_bound").get<double>(), 0.08 * FrontendOptions{}.noise_bound_voxels,
+              1e-12);
+  EXPECT_FALSE(voxels.contains("noise_estimate"));
+  const json matches = run_json(command() + "--noise-bound auto");
+  EXPECT_EQ(matches.at("noise_bound"), matches.at("noise_estimate").at("noise_bound"));
+  EXPECT_NE(matches.at("noise_bound"), voxels.at("noise_bound"));
+}
+
+TEST_F(Register, TakesPriorsAndHypotheses) {
+  const json result = run_json(command() + "--initial-pose " + path("truth.txt") +
+                               " --max-rotation-error 5 --hypotheses 2");
+  EXPECT_EQ(result.at("status"), "ok");
+  EXPECT_TRUE(result.at("alternatives").is_array());
+  write_transform(folder_ / "truth.txt", Similarity{});
+  const auto elsewhere = test::run_tool(command() + "--initial-pose " + path("truth.txt") +
+                                        " --max-translation-error 0.1 --refine none --json");
+  EXPECT_LT(json::parse(elsewhere.out, nullptr, false).at("num_inliers"), result.at("num_inliers"));
 }
 
 TEST_F(Register, MatchWritesWhatSolveReads) {

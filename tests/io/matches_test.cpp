@@ -25,12 +25,23 @@ RC_GTEST_PROP(Matches, AreReadBackBitForBit, (std::vector<double> values)) {
   const auto count = static_cast<Index>(values.size()) / 6;
   const Points source = Eigen::Map<const Points>(values.data(), 3, count);
   const Points target = Eigen::Map<const Points>(values.data() + 3 * count, 3, count);
+  std::vector<double> bounds;
+  for (Index i = 0; i < count; ++i) {
+    const double value = std::abs(source(0, i));
+    bounds.push_back(value > 0 ? value : 5e-324);
+  }
   for (const char* name : {"a.csv", "a.npy"}) {
     write_matches(folder / name, source, target);
     const Matches matches = read_matches(folder / name);
     RC_ASSERT(matches.source.cols() == count);
     RC_ASSERT(matches.source == source);
     RC_ASSERT(matches.target == target);
+    RC_ASSERT(matches.noise_bounds.empty());
+    write_matches(folder / name, source, target, bounds);
+    const Matches with_bounds = read_matches(folder / name);
+    RC_ASSERT(with_bounds.source == source);
+    RC_ASSERT(with_bounds.target == target);
+    RC_ASSERT(with_bounds.noise_bounds == bounds);
   }
 }
 
@@ -46,7 +57,34 @@ TEST(ReadMatches, FindsTheColumnsThatAHeaderNames) {
     const Matches matches = read_matches(folder.write("a.csv", text));
     EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << text;
     EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
+    EXPECT_TRUE(matches.noise_bounds.empty()) << text;
   }
+}
+
+TEST(ReadMatches, FindsTheNoiseBoundOfEachCorrespondence) {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {"1,2,3,4,5,6,0.7\n10,20,30,40,50,60,0.07\n",
+        "ax,ay,az,bx,by,bz,noise_bound\n1,2,3,4,5,6,0.7\n10,20,30,40,50,60,0.07\n",
+        "Beta;tx;ty;tz;sz;sy;sx;note\n0.7;4;5;6;3;2;1;a\n0.07;40;50;60;30;20;10;b\n",
+        "BOUND ax ay az bx by bz residual\n.7 1 2 3 4 5 6 9\n.07 10 20 30 40 50 60 9\n",
+        "u,v,w,Noise_Bound,p,q,r\n1,2,3,0.7,4,5,6\n10,20,30,0.07,40,50,60\n"}) {
+    const Matches matches = read_matches(folder.write("a.csv", text));
+    EXPECT_EQ(matches.source, (Points{{1, 10}, {2, 20}, {3, 30}})) << text;
+    EXPECT_EQ(matches.target, (Points{{4, 40}, {5, 50}, {6, 60}})) << text;
+    EXPECT_EQ(matches.noise_bounds, (std::vector<double>{0.7, 0.07})) << text;
+  }
+}
+
+TEST(ReadMatches, RefusesABoundThatIsNotPositiveAndFinite) {
+  const TemporaryFolder folder;
+  for (const char* bound : {"0", "-1", "nan", "inf"}) {
+    const std::string text = "ax,ay,az,bx,by,bz,beta\n1,2,3,4,5,6,1\n1,2,3,4,5,6," +
+                             std::string(bound) + "\n1,2,3,4,5,6,1\n";
+    expect_error(folder.write("a.csv", text), 3,
+                 "row 1 (from 0): noise bound " + std::string(bound) + " is not a positive finite");
+  }
+  expect_error(folder.write("b.csv", "1,2,3,4,5,6,wide\n"), 1, "column 7: 'wide' is no number");
 }
 
 TEST(ReadMatches, TakesAHeaderWithoutRowsForNoMatches) {
@@ -56,7 +94,8 @@ TEST(ReadMatches, TakesAHeaderWithoutRowsForNoMatches) {
 
 TEST(ReadMatches, NamesTheLineOfAnError) {
   const TemporaryFolder folder;
-  expect_error(folder.write("a.csv", "1,2,3,4,5,6,7\n"), 1, "7 columns, expected 6");
+  expect_error(folder.write("a.csv", "1,2,3,4,5,6,7,8\n"), 1, "8 columns, expected 6");
+  expect_error(folder.write("a.csv", "u,v,w,p,q,r,x\n"), 1, "7 columns, expected 6");
   expect_error(folder.write("b.csv", "i,j,u,v,w,p,q,r\n"), 1, "8 columns, expected 6");
   expect_error(folder.write("c.csv", "1,2,3,4,5,6\n1,2,3,4,5\n"), 2, "5 columns");
   expect_error(folder.write("d.csv", "1,2,3,4,5,6\n1,2,3,4,5,six\n"), 2, "'six'");
@@ -73,17 +112,24 @@ TEST(ReadMatches, RefusesOtherFiles) {
   expect_error(folder.write("a.ply", "ply\n"), 0, "unknown extension '.ply' (known: .csv, .npy)");
   expect_error(folder.write("a.npy", "1,2,3,4,5,6\n"), 0, "no .npy file");
   write_cloud(folder / "cloud.npy", Points::Ones(3, 2));
-  expect_error(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6)");
+  expect_error(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6) or (N, 7)");
   Points bad = Points::Ones(3, 2);
   bad(0, 1) = INFINITY;
   write_matches(folder / "bad.npy", bad, bad);
   expect_error(folder / "bad.npy", 0, "row 1 (from 0)");
 }
 
-TEST(WriteMatches, RefusesSidesOfDifferentLength) {
+TEST(WriteMatches, RefusesSidesOfDifferentLengthAndBadBounds) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_matches(folder / "a.csv", Points::Ones(3, 2), Points::Ones(3, 1)),
                std::invalid_argument);
+  const Points points = Points::Ones(3, 2);
+  for (const std::vector<double>& bounds :
+       std::vector<std::vector<double>>{{1}, {1, 2, 3}, {1, 0}, {-1, 1}, {1, NAN}, {INFINITY, 1}}) {
+    EXPECT_THROW(write_matches(folder / "a.csv", points, points, bounds), std::invalid_argument)
+        << testing::PrintToString(bounds);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
   EXPECT_THROW(write_matches(folder / "a.txt", Points::Ones(3, 1), Points::Ones(3, 1)), IoError);
 }
 
