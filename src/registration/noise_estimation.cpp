@@ -52,7 +52,7 @@ Result no_consensus(const Options& options, Index count) {
   Result result;
   result.status = Status::NoConsensus;
   result.status_reason = "no noise bound makes the consensus better than chance";
-  result.certificate = certify(0, count);
+  result.certificate = certify(0, count, 0, static_cast<double>(count));
   result.diagnostics.num_correspondences = count;
   result.diagnostics.num_used = count;
   result.diagnostics.num_threads = resolve_num_threads(options.num_threads);

@@ -105,9 +105,18 @@ TEST(MaxMembers, IsTheLargestSetWithThatManyPairs) {
 }
 
 TEST(Certify, NeverBoundsBelowWhatWasAchieved) {
-  EXPECT_TRUE(certify(5, 5).certified);
-  EXPECT_FALSE(certify(5, 6).certified);
-  EXPECT_EQ(certify(5, 3).upper, 5);
+  EXPECT_TRUE(certify(5, 5, 5, 5).certified);
+  EXPECT_FALSE(certify(5, 6, 5, 6).certified);
+  EXPECT_EQ(certify(5, 3, 4, 2).upper, 5);
+  EXPECT_EQ(certify(5, 3, 4, 2).evidence.upper, 4);
+}
+
+TEST(Certify, TakesTheNumberOfInliersForABoundOnTheirEvidence) {
+  const Certificate certificate = certify(5, 6, 3.5, 8);
+  EXPECT_EQ(certificate.evidence.lower, 3.5);
+  EXPECT_EQ(certificate.evidence.upper, 6);
+  EXPECT_FALSE(certificate.evidence.certified);
+  EXPECT_TRUE(certify(5, 6, 3.5, 3.5 + 1e-12).evidence.certified);
 }
 
 }  // namespace
