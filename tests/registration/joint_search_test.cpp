@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "consensus/consistency_graph.hpp"
+#include "gmcr/clique.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr {
@@ -213,6 +214,24 @@ TEST(JointSearch, NeedsNoHelpOfThePosesItOffers) {
     JointSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
     EXPECT_GE(search.run(0), *truth);
     EXPECT_LE(search.run(0), *truth + 1);
+  }
+}
+
+TEST(JointSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
+  // what the graph excludes for other reasons stays excluded
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const SmallProblem problem = mirrored_cloud(seed, 16, 5);
+    testing::RandomGeometry random(seed);
+    BitsetGraph graph(16);
+    for (Index i = 0; i < 16; ++i) {
+      for (Index j = 0; j < i; ++j) {
+        if (random.uniform(0, 1) < 0.6) graph.add_edge(i, j);
+      }
+    }
+    const Deadline never = Deadline::never();
+    const auto refuse = [](const Similarity&) { return 0.0; };
+    JointSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
+    EXPECT_EQ(search.run(0), static_cast<double>(max_clique(graph, {}).vertices.size()));
   }
 }
 
