@@ -67,7 +67,8 @@ PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
-  std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, constraints_, clique);
+  std::optional<Hypothesis> pose =
+      pose_from_clique(context_, objective_, constraints_, clique, max_evidence_);
   if (pose) consider(std::move(*pose));
 }
 
