@@ -21,6 +21,7 @@ constexpr double kSizeFactor = 20;
 constexpr Index kMaxModes = 40;
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
+constexpr std::uint64_t kMaxWeightedNodes = 1'000;
 
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 28;  // of the pairs of each bin
 constexpr Index kNoBin = -1;
@@ -116,7 +117,8 @@ double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure)
     }
     const RangeGraph graph = range.bin == kNoBin ? build_range_graph(search, range.scales)
                                                  : voted.graph(search, range.bin);
-    range.bound = std::min(range.bound, search_clique(search, graph, measure, kMaxNodes));
+    const std::uint64_t max_nodes = measure == Measure::Inliers ? kMaxNodes : kMaxWeightedNodes;
+    range.bound = std::min(range.bound, search_clique(search, graph, measure, max_nodes));
     range.bound = tighten(search, graph, measure, range.bound, deadline);
     range.searched = true;
     queue.push(range);

@@ -16,6 +16,13 @@ Deadline certify_deadline(PoseSearch& search, Measure measure) {
 double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound,
                const Deadline& deadline) {
   if (deadline.expired()) return upper_bound;
+  // the search works on copies of the graph
+  constexpr std::size_t kCopies = 4;
+  if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
+      search.context().options().budget.memory) {
+    search.context().limit("the memory budget leaves no room to tighten the bounds");
+    return upper_bound;
+  }
   const StageTimer timer(search.context(), "certify");
   // most problems are settled at once; of the others a part of the gap is, the larger the longer it
   // takes: to show that nothing exceeds a high target is easier than a low one
