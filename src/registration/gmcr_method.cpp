@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
-constexpr std::uint64_t kMaxWeightedNodes = 2'000;
+constexpr std::uint64_t kMaxWeightedNodes = 100;
 
 /// Search in the one consistency graph of a known scale.
 UpperBounds search_known_scale(PoseSearch& search) {
@@ -21,12 +21,16 @@ UpperBounds search_known_scale(PoseSearch& search) {
   bounds.inliers = search_clique(search, range, Measure::Inliers, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
   if (bounds.inliers > search.to_beat(Measure::Evidence)) grow_cliques(search, range, kMaxStarts);
-  bounds.evidence = bounds.inliers;
   if (search.counts_evidence()) {
     bounds.evidence = std::min(bounds.inliers,
                                search_clique(search, range, Measure::Evidence, kMaxWeightedNodes));
+    bounds.evidence = tighten(search, range, Measure::Evidence, bounds.evidence,
+                              certify_deadline(search, Measure::Evidence));
   }
-  return tighten(search, range, bounds);
+  bounds.inliers = tighten(search, range, Measure::Inliers, bounds.inliers,
+                           certify_deadline(search, Measure::Inliers));
+  if (!search.counts_evidence()) bounds.evidence = bounds.inliers;
+  return bounds;
 }
 
 UpperBounds search_all_scales(PoseSearch& search) {
@@ -40,6 +44,7 @@ MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
                         const PoseConstraints& constraints, const PairFilter& filter) {
   PoseSearch search(context, objective, constraints, filter);
   const UpperBounds bounds = search_all_scales(search);
+  search.explain(bounds);
   MethodResult result;
   result.upper_bound =
       static_cast<Index>(std::max(bounds.inliers, search.to_beat(Measure::Inliers)));

@@ -194,6 +194,7 @@ void JointSearch::drop_misfits(Node& node) const {
   }
   BitsetGraph graph(node.graph.num_vertices());
   for (Index v = 0; v < graph.num_vertices(); ++v) {
+    if (deadline_.expired()) return;
     for (Index u = 0; u < v; ++u) {
       if (!node.graph.has_edge(u, v)) continue;
       if (fit_jointly(kept, num_kept / (num_kept + 2), {open(u), open(v)})) graph.add_edge(u, v);

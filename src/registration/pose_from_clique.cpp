@@ -66,7 +66,7 @@ std::optional<Similarity> staged_pose(SolveContext& context, const Correspondenc
 
 std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objective& objective,
                                            const PoseConstraints& constraints,
-                                           const std::vector<Index>& clique) {
+                                           const std::vector<Index>& clique, double must_exceed) {
   const Correspondences& c = objective.correspondences();
   const auto direct = fit_pose(c.source, c.target, c.bounds, clique, constraints);
   if (!direct) return std::nullopt;
@@ -75,6 +75,7 @@ std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objectiv
   if (std::includes(best.inliers.begin(), best.inliers.end(), clique.begin(), clique.end())) {
     return best;
   }
+  if (objective.evidence_of(clique, best.target_from_source.scale) <= must_exceed) return best;
   const auto staged = staged_pose(context, c, constraints, clique);
   if (!staged) return best;
   ++context.diagnostics().num_candidates;

@@ -67,7 +67,8 @@ PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
-  std::optional<Hypothesis> pose = pose_from_clique(context_, objective_, constraints_, clique);
+  std::optional<Hypothesis> pose =
+      pose_from_clique(context_, objective_, constraints_, clique, max_evidence_);
   if (pose) consider(std::move(*pose));
 }
 
@@ -97,6 +98,17 @@ void PoseSearch::consider(Hypothesis pose) {
   max_evidence_ =
       std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
   if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
+}
+
+void PoseSearch::explain(const UpperBounds& bounds) {
+  if (unproven_.contains(Measure::Inliers) && exceeds(bounds.inliers, max_inliers_)) {
+    context_.limit("a clique search ended before its proof: the upper bound may be loose");
+  }
+  if (unproven_.contains(Measure::Evidence) && exceeds(bounds.evidence, max_evidence_)) {
+    context_.limit(
+        "a search for the clique of most evidence ended before its proof: the bound on "
+        "the evidence may be loose");
+  }
 }
 
 std::vector<double> PoseSearch::weights(Measure measure, const ScaleRange& scales) const {
@@ -162,9 +174,7 @@ double search_clique(PoseSearch& search, const RangeGraph& range, Measure measur
                      range.graph, search.weights(measure, range.scales), to_beat, max_nodes);
   }();
   if (!vertices.empty()) search.offer(vertices);
-  if (!proven) {
-    search.context().limit("a clique search ended before its proof: the upper bound may be loose");
-  }
+  if (!proven) search.note_unproven(measure);
   return proven && vertices.empty() ? to_beat : upper_bound;
 }
 

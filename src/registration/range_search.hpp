@@ -18,6 +18,9 @@ namespace gmcr {
 /// What a bound speaks of.
 enum class Measure { Inliers, Evidence };
 
+/// Whether a bound leaves room for more than what is to be beaten, beyond the rounding of weights.
+inline bool exceeds(double bound, double to_beat) { return bound > to_beat * (1 + 1e-12); }
+
 /// Proven: no admitted pose has more.
 struct UpperBounds {
   double inliers = 0;
@@ -53,6 +56,12 @@ class PoseSearch {
     return measure == Measure::Inliers ? max_inliers_ : max_evidence_;
   }
 
+  /// Notes that a search for cliques of the measure ended before its proof.
+  void note_unproven(Measure measure) { unproven_.insert(measure); }
+
+  /// Tells the diagnostics why a bound exceeds what was achieved, where a search ended early.
+  void explain(const UpperBounds& bounds);
+
   /// What each correspondence adds to the measure, at most, at scales in the range.
   std::vector<double> weights(Measure measure, const ScaleRange& scales) const;
 
@@ -76,6 +85,7 @@ class PoseSearch {
   double max_evidence_ = 0;
   std::set<std::vector<Index>> examined_;  ///< cliques
   std::set<std::vector<Index>> reached_;   ///< consensus sets
+  std::set<Measure> unproven_;
 };
 
 /// The consistency graph of a range of scales, less the pairs that the filter does not admit.

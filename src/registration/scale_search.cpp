@@ -21,6 +21,7 @@ constexpr double kSizeFactor = 20;
 constexpr Index kMaxModes = 40;
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
+constexpr std::uint64_t kMaxWeightedNodes = 1'000;
 
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 28;  // of the pairs of each bin
 constexpr Index kNoBin = -1;
@@ -73,9 +74,6 @@ VotedBins vote(PoseSearch& search) {
   return {bins, std::move(votes), std::move(pairs)};
 }
 
-/// Whether a bound leaves room for more than what is to be beaten, beyond the rounding of weights.
-bool exceeds(double bound, double to_beat) { return bound > to_beat * (1 + 1e-12); }
-
 /// The two halves of a range, of equal ratio, with the bound of the whole.
 std::pair<BoundedRange, BoundedRange> halves(const BoundedRange& range) {
   const double middle = std::sqrt(range.scales.min * range.scales.max);
@@ -100,6 +98,7 @@ double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure)
   }
   std::priority_queue<BoundedRange> queue({}, std::move(ranges));
   const Index max_ranges = 2 * voted.bins.size();
+  const Deadline deadline = certify_deadline(search, measure);
   for (Index searched = 0; !queue.empty() && exceeds(queue.top().bound, search.to_beat(measure));) {
     BoundedRange range = queue.top();
     if (searched == max_ranges) {
@@ -118,8 +117,9 @@ double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure)
     }
     const RangeGraph graph = range.bin == kNoBin ? build_range_graph(search, range.scales)
                                                  : voted.graph(search, range.bin);
-    range.bound = std::min(range.bound, search_clique(search, graph, measure, kMaxNodes));
-    range.bound = tighten(search, graph, measure, range.bound);
+    const std::uint64_t max_nodes = measure == Measure::Inliers ? kMaxNodes : kMaxWeightedNodes;
+    range.bound = std::min(range.bound, search_clique(search, graph, measure, max_nodes));
+    range.bound = tighten(search, graph, measure, range.bound, deadline);
     range.searched = true;
     queue.push(range);
     search.context().report("scale_search",

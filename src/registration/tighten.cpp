@@ -1,60 +1,52 @@
 #include "registration/tighten.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "registration/joint_search.hpp"
 
 namespace gmcr {
-namespace {
 
-/// Looks for more than the given part of the gap above what was achieved; 0: for anything better.
-double try_part(PoseSearch& search, const RangeGraph& range, Measure measure,
-                const std::vector<double>& weights, double target, const Deadline& deadline) {
+Deadline certify_deadline(PoseSearch& search, Measure measure) {
+  if (!search.context().options().certify) return Deadline(0);
+  const double remaining = search.context().deadline().remaining();
+  return Deadline(measure == Measure::Evidence ? remaining / 2 : remaining);
+}
+
+double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound,
+               const Deadline& deadline) {
+  if (deadline.expired()) return upper_bound;
+  // the search works on copies of the graph
+  constexpr std::size_t kCopies = 4;
+  if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
+      search.context().options().budget.memory) {
+    search.context().limit("the memory budget leaves no room to tighten the bounds");
+    return upper_bound;
+  }
+  const StageTimer timer(search.context(), "certify");
+  // most problems are settled at once; of the others a part of the gap is, the larger the longer it
+  // takes: to show that nothing exceeds a high target is easier than a low one
+  constexpr double kParts[] = {0, 0.85, 0.7, 0.55, 0.4, 0.3, 0.2, 0.1, 0};
+  constexpr double kFirstShare = 0.25;  // of the time
+  const std::vector<double> weights = search.weights(measure, range.scales);
   const auto offer = [&](const Similarity& pose) {
     search.offer(pose);
     return search.to_beat(measure);
   };
-  return JointSearch(search.arrays(), range.graph, weights, range.scales, offer, deadline)
-      .run(target);
-}
-
-}  // namespace
-
-double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound) {
-  if (!search.context().options().certify) return upper_bound;
-  const StageTimer timer(search.context(), "certify");
-  // most problems are settled at once; of the others part of the gap is, the more the longer it
-  // took
-  constexpr double kParts[] = {0, 0.85, 0.7, 0.55, 0.4, 0.3, 0.2, 0.1, 0};
-  constexpr double kFirstShare = 0.25;  // of the time left
-  const std::vector<double> weights = search.weights(measure, range.scales);
-  const double gap = upper_bound - search.to_beat(measure);
+  const double lowest = search.to_beat(measure), gap = upper_bound - lowest;
+  const Deadline first_deadline(kFirstShare * deadline.remaining());
   bool first = true;
   for (const double part : kParts) {
-    const double to_beat = search.to_beat(measure);
-    if (upper_bound <= to_beat * (1 + 1e-12) || search.context().stopped()) break;
-    const double target = std::max(to_beat, std::floor(upper_bound - (1 - part) * gap));
-    const double seconds = search.context().deadline().remaining() * (first ? kFirstShare : 1);
-    const Deadline deadline(seconds);
-    upper_bound = std::min(upper_bound,
-                           std::max(search.to_beat(measure),
-                                    try_part(search, range, measure, weights, target, deadline)));
-    if (deadline.expired() && !first) break;
+    const double target = std::max(search.to_beat(measure), lowest + part * gap);
+    if (!exceeds(upper_bound, target)) continue;
+    if (deadline.expired() || search.context().stopped()) break;
+    search.context().report("certify", 1 - part);
+    JointSearch joint(search.arrays(), range.graph, weights, range.scales, offer,
+                      first ? first_deadline : deadline);
+    upper_bound = std::min(upper_bound, joint.run(target));
     first = false;
   }
-  return upper_bound;
-}
-
-UpperBounds tighten(PoseSearch& search, const RangeGraph& range, UpperBounds bounds) {
-  bounds.inliers = tighten(search, range, Measure::Inliers, bounds.inliers);
-  bounds.evidence =
-      std::min(bounds.evidence, std::max(bounds.inliers, search.to_beat(Measure::Evidence)));
-  bounds.evidence = search.counts_evidence()
-                        ? tighten(search, range, Measure::Evidence, bounds.evidence)
-                        : bounds.inliers;
-  return bounds;
+  return std::max(upper_bound, search.to_beat(measure));
 }
 
 }  // namespace gmcr
