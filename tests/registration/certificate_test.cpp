@@ -123,7 +123,7 @@ void expect_valid(const Problem& problem, const Result& result, const Options& o
 }
 
 TEST(Certificate, BoundsTheTruthTheAlternativesAndAllAroundThem) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
     for (const Problem& problem : all_kinds(seed)) {
       unsigned choice = 0;
       for (Options options : all_options(problem)) {
@@ -154,11 +154,10 @@ TEST(Certificate, IsTightenedByTheJointSearchAndNeverLoosened) {
     Sums without, with;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
       for (const Problem& problem : {loose_ball(seed), structured(seed)}) {
-        Options options =
-            scale_is_known ? problem.options() : problem.options_with_unknown_scale();
+        Options options = scale_is_known ? problem.options() : problem.options_with_unknown_scale();
         const Result plain = register_correspondences(problem.source, problem.target, options);
         options.certify = true;
-        options.budget.time = 0.15;
+        options.budget.time = 0.1 + 3 * plain.diagnostics.total_seconds;
         const Result tight = register_correspondences(problem.source, problem.target, options);
         const Certificate &loose = plain.certificate, &bounds = tight.certificate;
         EXPECT_LE(bounds.upper, loose.upper) << seed;
@@ -269,8 +268,6 @@ TEST(Certificate, OfAHardProblemKeepsToTheTime) {
     const Result result = register_correspondences(problem.source, problem.target, options);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     EXPECT_LT(wall.count(), 1);
-    std::printf("hard %g s, %ld..%ld alt %zu\n", wall.count(), long(result.certificate.lower),
-                long(result.certificate.upper), result.alternatives.size());
     EXPECT_FALSE(result.diagnostics.limits_hit.empty());
     EXPECT_FALSE(result.certificate.certified);
     expect_valid(problem, result, options, 1);
