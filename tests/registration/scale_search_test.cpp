@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
 #include "problems.hpp"
@@ -65,6 +67,31 @@ TEST(ScaleSearch, BoundsThePosesOfEveryScale) {
     EXPECT_GE(result.certificate.upper, 12);
     EXPECT_GE(result.certificate.lower, 11);
   }
+}
+
+TEST(ScaleSearch, BoundsThePosesThatItDoesNotFind) {
+  /// Proves as ours does, but shows no clique.
+  struct SecretiveSolver : CliqueSolver {
+    CliqueResult solve(const BitsetGraph& graph, const CliqueOptions& options) const override {
+      CliqueResult result = max_clique(graph, options);
+      result.vertices.clear();
+      result.proven_optimal = false;
+      return result;
+    }
+  };
+  int num_missed = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto problem =
+        testing::random_problem(seed, 6, 194, 0.3 + 0.07 * static_cast<double>(seed));
+    Options options = problem.options_with_unknown_scale();
+    options.evidence = Evidence::Count;
+    options.scale_range = ScaleRange{0.1, 10};
+    options.clique_solver = std::make_shared<SecretiveSolver>();
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    EXPECT_GE(result.certificate.upper, 6);
+    num_missed += result.certificate.lower < 6;
+  }
+  EXPECT_GE(num_missed, 5);
 }
 
 }  // namespace
