@@ -14,8 +14,9 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 Index count_true_inliers(const Problem& problem) {
-  const auto residuals = (problem.target - problem.truth.apply(problem.source)).colwise().norm();
-  return (residuals.array() <= problem.noise_bound).count();
+  const Eigen::ArrayXd residuals =
+      (problem.target - problem.truth.apply(problem.source)).colwise().norm();
+  return (residuals <= problem.noise_bound).count();
 }
 
 /// The result of the last solve; writes the wall times into the record.
