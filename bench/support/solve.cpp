@@ -39,13 +39,13 @@ Result time_solves(const Problem& problem, const Options& options, int repetitio
 }
 
 /// By the bound that the result was judged by.
-double evidence_of_truth(const Problem& problem, Options options, const Result& result) {
+Consensus consensus_of_truth(const Problem& problem, Options options, const Result& result) {
   if (options.noise_mode == NoiseMode::Estimated) {
     options.noise_mode = NoiseMode::Given;
     options.noise_bound =
         result.noise_estimate ? result.noise_estimate->noise_bound : problem.noise_bound;
   }
-  return evaluate_consensus(problem.truth, problem.source, problem.target, options).evidence;
+  return evaluate_consensus(problem.truth, problem.source, problem.target, options);
 }
 
 }  // namespace
@@ -79,7 +79,9 @@ Json solve(const Problem& problem, Options options, const NamedMethod& method, T
     record["time_limit"] = options.budget.time;
     const Result result = time_solves(problem, options, options.certify ? 1 : repetitions, record);
     record.update(describe(result));
-    record["truth_evidence"] = evidence_of_truth(problem, options, result);
+    const Consensus truth = consensus_of_truth(problem, options, result);
+    record["truth_inliers"] = truth.inliers.size();
+    record["truth_evidence"] = truth.evidence;
     if (result.status == Status::Ok || result.status == Status::Degenerate) {
       record["errors"] = errors_of(result.target_from_source, problem.truth, problem.source);
     }

@@ -21,8 +21,8 @@ struct TimeLimits {
 /// @param options  noise bound and time budget are set here, the rest by the method.
 /// @return the fields of a record: method, input, wall times (median and quartiles, ms), what the
 ///   result says, the errors against the truth, the number of correspondences within the noise
-///   bound of the truth, and the evidence of the truth by the method's own objective
-///   ("truth_evidence"). An exception is an outcome too: status "error".
+///   bound of the truth, and the inliers and evidence of the truth by the method's own objective
+///   ("truth_inliers", "truth_evidence"). An exception is an outcome too: status "error".
 Json solve(const Problem& problem, Options options, const NamedMethod& method, TimeLimits limits,
            int repetitions);
 
