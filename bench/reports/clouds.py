@@ -15,7 +15,8 @@ def report(records):
     for (refine, name), group in sorted(group_by(records, "refine", "set").items()):
         trusted = [r for r in group if r.get("verdict") == "trusted"]
         wrong_trusted = sum(not r["success"] for r in trusted)
-        summary.append([refine, name, count_cell(group, "success"), count_cell(group, "success_of_translation"), len(trusted), wrong_trusted])
+        strict = count_cell(group, "success_of_translation")
+        summary.append([refine, name, count_cell(group, "success"), strict, len(trusted), wrong_trusted])
     header = ["refine", "set", "right", "right by translation", "trusted", "trusted but wrong"]
     text += table(header, summary) + "\n"
     rows = [cloud_row(record) for record in records]

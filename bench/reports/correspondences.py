@@ -1,6 +1,7 @@
 """Real correspondences with known scale: errors, certificates, priors and the estimated noise."""
 
-from reports.markdown import bounds_cell, bounds_note, count_cell, errors_cell, hardware, limits_note, milliseconds, number, table
+from reports.markdown import bounds_cell, bounds_note, count_cell, errors_cell, hardware, limits_note
+from reports.markdown import milliseconds, number, table
 from reports.records import by_method, group_by, median_of, methods_in, nested
 
 COMPARED = ["gmcr", "gmcr-count", "paper"]
@@ -11,9 +12,9 @@ def report(records):
     repetitions = max(record.get("repetitions", 1) for record in records)
     text += (
         "Success: 5 degrees and 0.6 m (kitti_fpfh, noise bound 0.6 m); 5 degrees (gore, noise bound 2 x the listed "
-        f"resolution). The source is first turned by a random rotation. Times are medians of {repetitions}, of one for "
-        "`gmcr-certify`. Errors: rotation in degrees, translation in the units of the data (kitti_fpfh: metres); bold where "
-        "wrong. Certified: proven that no pose has more inliers (count), or more evidence.\n\n"
+        f"resolution). The source is first turned by a random rotation. Times: median of {repetitions} solves, one of "
+        "`gmcr-certify`. Errors: rotation in degrees, translation in the units of the data (kitti_fpfh: metres); bold "
+        "where wrong. Certified: proven that no pose has more inliers (count), or more evidence.\n\n"
     )
     text += summary(records) + "\n" + comparison(records) + certified(records) + gravity(records) + noise(records)
     return text + bounds_note(records) + limits_note(records)
@@ -63,7 +64,9 @@ def certified(records):
     mine = [record for record in records if record["method"] == "gmcr-certify"]
     if not mine:
         return ""
-    header = ["pair", "inliers", "[lower, upper]", "certified", "evidence [lower, upper]", "certified", "errors", "seconds"]
+    header = [
+        "pair", "inliers", "[lower, upper]", "certified", "evidence [lower, upper]", "certified", "errors", "seconds",
+    ]
     rows = []
     for record in mine:
         certificate = record.get("certificate", {})
@@ -116,7 +119,9 @@ def noise(records):
     mine = [record for record in records if record["method"] == "gmcr-auto-noise"]
     if not mine:
         return ""
-    header = ["pair", "given bound", "chosen bound", "stable from - to", "log10 false alarms", "inliers", "errors", "ms"]
+    header = [
+        "pair", "given bound", "chosen bound", "stable from - to", "log10 false alarms", "inliers", "errors", "ms",
+    ]
     rows = []
     for record in mine:
         estimate = record.get("noise_estimate", {})
