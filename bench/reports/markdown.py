@@ -72,7 +72,7 @@ def limits_note(records):
 
 def bounds_note(records):
     """Whether the truth, which is one pose of all, keeps below the upper bounds."""
-    judged = [record for record in records if "truth_evidence" in record]
+    judged = [record for record in records if "truth_inliers" in record]
     broken = [record for record in judged if exceeds_bounds(record)]
     return f"The truth lies above a proven upper bound in {len(broken)} of {len(judged)} runs.\n" if judged else ""
 
