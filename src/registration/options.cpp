@@ -51,6 +51,12 @@ void Options::validate() const {
             "exceeds scale_range.max");
   }
   priors.validate();
+  require(num_hypotheses >= 1, "num_hypotheses", num_hypotheses, "is less than 1");
+  if (method == Method::Paper) {
+    require(num_hypotheses == 1, "num_hypotheses", num_hypotheses,
+            "are asked for, but Method::Paper finds one");
+    require(!certify, "certify", 1, "is asked for, but Method::Paper has no joint search");
+  }
   require(num_threads >= 0, "num_threads", num_threads, "is negative");
   require(num_threads <= kMaxThreads, "num_threads", num_threads, "exceeds 1024");
   require(budget.time > 0, "budget.time", budget.time, "is not a positive number of seconds");

@@ -65,6 +65,9 @@ class PoseSearch {
   /// What each correspondence adds to the measure, at most, at scales in the range.
   std::vector<double> weights(Measure measure, const ScaleRange& scales) const;
 
+  /// Whether bounds are to be tightened: those of further hypotheses are not reported.
+  bool certifies() const { return context_.options().certify && found_.empty(); }
+
   /// Whether evidence differs from the number of inliers.
   bool counts_evidence() const { return objective_.is_weighted(); }
 

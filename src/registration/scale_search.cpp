@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -91,14 +92,15 @@ double bound_of_votes(const VotedBins& voted, Measure measure, Index bin) {
 }
 
 /// Branch and bound over the scale. @return upper bound on the measure of any pose.
-double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure) {
+/// @param deadline  of the joint searches.
+double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure,
+                    const Deadline& deadline) {
   std::vector<BoundedRange> ranges;
   for (Index bin = 0; bin < voted.bins.size(); ++bin) {
     ranges.push_back({voted.bins[bin], bound_of_votes(voted, measure, bin), bin});
   }
   std::priority_queue<BoundedRange> queue({}, std::move(ranges));
   const Index max_ranges = 2 * voted.bins.size();
-  const Deadline deadline = certify_deadline(search, measure);
   for (Index searched = 0; !queue.empty() && exceeds(queue.top().bound, search.to_beat(measure));) {
     BoundedRange range = queue.top();
     if (searched == max_ranges) {
@@ -126,6 +128,18 @@ double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure)
                             static_cast<double>(++searched) / static_cast<double>(max_ranges));
   }
   return search.to_beat(measure);
+}
+
+/// Lowers the bounds that leave room for a better pose, by cliques alone or jointly.
+void lower(UpperBounds& bounds, PoseSearch& search, const VotedBins& voted, bool jointly) {
+  const auto lower_one = [&](double& bound, Measure measure) {
+    if (!exceeds(bound, search.to_beat(measure))) return;
+    const Deadline deadline = jointly ? certify_deadline(search, measure) : Deadline(0);
+    bound = std::min(bound, bound_scales(search, voted, measure, deadline));
+  };
+  if (search.counts_evidence()) lower_one(bounds.evidence, Measure::Evidence);
+  lower_one(bounds.inliers, Measure::Inliers);
+  if (!search.counts_evidence()) bounds.evidence = bounds.inliers;
 }
 
 /// Bins of most evidence, none of them beside a better one.
@@ -195,10 +209,11 @@ ScaleRange default_scale_range(const Correspondences& correspondences) {
 UpperBounds search_scales(PoseSearch& search) {
   const VotedBins voted = vote(search);
   explore_modes(search, voted);
-  UpperBounds bounds;
-  if (search.counts_evidence()) bounds.evidence = bound_scales(search, voted, Measure::Evidence);
-  bounds.inliers = bound_scales(search, voted, Measure::Inliers);
-  if (!search.counts_evidence()) bounds.evidence = bounds.inliers;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  UpperBounds bounds{kNone, kNone};
+  // joint searches may take all of the time, so what cliques prove comes first
+  lower(bounds, search, voted, false);
+  if (search.certifies()) lower(bounds, search, voted, true);
   return bounds;
 }
 

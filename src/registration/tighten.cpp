@@ -8,7 +8,7 @@
 namespace gmcr {
 
 Deadline certify_deadline(PoseSearch& search, Measure measure) {
-  if (!search.context().options().certify) return Deadline(0);
+  if (!search.certifies()) return Deadline(0);
   const double remaining = search.context().deadline().remaining();
   return Deadline(measure == Measure::Evidence ? remaining / 2 : remaining);
 }

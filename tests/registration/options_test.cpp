@@ -57,6 +57,18 @@ TEST(Options, NamesTheFieldThatIsOutOfRange) {
          o.scale_mode = ScaleMode::Estimated;
          o.scale_range = ScaleRange{1, inf};
        }},
+      {"num_hypotheses", [](Options& o) { o.num_hypotheses = 0; }},
+      {"num_hypotheses", [](Options& o) { o.num_hypotheses = -3; }},
+      {"num_hypotheses",
+       [](Options& o) {
+         o.method = Method::Paper;
+         o.num_hypotheses = 2;
+       }},
+      {"certify",
+       [](Options& o) {
+         o.method = Method::Paper;
+         o.certify = true;
+       }},
       {"num_threads", [](Options& o) { o.num_threads = -1; }},
       {"budget.time", [](Options& o) { o.budget.time = 0; }},
       {"budget.time", [&](Options& o) { o.budget.time = nan; }},

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "gmcr/metrics.hpp"
+#include "problems.hpp"
+
+namespace gmcr {
+namespace {
+
+/// 10 true matches against 15 that follow a wrong pose, 12 of them copies of one.
+struct Contest {
+  testing::Problem problem;
+  Similarity wrong;
+
+  bool is_truth(const Similarity& pose) const {
+    return mean_point_error(pose, problem.truth, problem.source) < 0.03;
+  }
+  bool is_wrong(const Similarity& pose) const {
+    return mean_point_error(pose, wrong, problem.source) < 0.03;
+  }
+};
+
+Contest contest(std::uint64_t seed, double wrong_scale) {
+  Contest c{testing::random_problem(seed, 10, 15), {}};
+  testing::RandomGeometry random(seed + 100);
+  c.wrong = random.similarity(wrong_scale, wrong_scale, 1);
+  for (Index i = 10; i < 25; ++i) {
+    if (i > 13) c.problem.source.col(i) = c.problem.source.col(13) + random.in_ball(1e-3);
+    c.problem.target.col(i) = c.wrong * c.problem.source.col(i);
+  }
+  return c;
+}
+
+std::vector<std::pair<Contest, Options>> contests() {
+  std::vector<std::pair<Contest, Options>> all;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Contest known = contest(seed, 1), unknown = contest(seed, 1.6);
+    all.emplace_back(known, known.problem.options());
+    all.emplace_back(unknown, unknown.problem.options_with_unknown_scale());
+  }
+  return all;
+}
+
+TEST(Evidence, DecidesBetweenPosesAtKnownAndUnknownScale) {
+  for (auto& [c, options] : contests()) {
+    const Points &source = c.problem.source, &target = c.problem.target;
+    const Result distinct = register_correspondences(source, target, options);
+    EXPECT_TRUE(c.is_truth(distinct.target_from_source));
+    EXPECT_EQ(distinct.inliers.size(), 10u);
+    EXPECT_NEAR(distinct.evidence, 10, 1);
+    EXPECT_GE(distinct.certificate.upper, 15);  // the count of the wrong pose is larger
+    EXPECT_LT(distinct.certificate.evidence.upper, 15);
+    options.evidence = Evidence::Count;
+    const Result count = register_correspondences(source, target, options);
+    EXPECT_TRUE(c.is_wrong(count.target_from_source));
+    EXPECT_EQ(count.evidence, 15);
+  }
+}
+
+TEST(Evidence, OrdersTheHypotheses) {
+  for (auto& [c, options] : contests()) {
+    const Points &source = c.problem.source, &target = c.problem.target;
+    options.num_hypotheses = 2;
+    const Result distinct = register_correspondences(source, target, options);
+    ASSERT_EQ(distinct.alternatives.size(), 1u);
+    EXPECT_TRUE(c.is_truth(distinct.target_from_source));
+    EXPECT_TRUE(c.is_wrong(distinct.alternatives[0].target_from_source));
+    EXPECT_EQ(distinct.alternatives[0].inliers.size(), 15u);
+    EXPECT_LT(distinct.runner_up_ratio(), 0.5);  // three matches and a cluster
+    options.evidence = Evidence::Count;
+    const Result count = register_correspondences(source, target, options);
+    ASSERT_EQ(count.alternatives.size(), 1u);
+    EXPECT_TRUE(c.is_wrong(count.target_from_source));
+    EXPECT_TRUE(c.is_truth(count.alternatives[0].target_from_source));
+    EXPECT_NEAR(count.runner_up_ratio(), 10.0 / 15, 1e-12);
+  }
+}
+
+TEST(Evidence, DecidesWhatIsAnotherInstance) {
+  for (auto& [c, options] : contests()) {
+    const Points &source = c.problem.source, &target = c.problem.target;
+    // the cluster has more inliers than the first instance, but less than half of its evidence
+    const InstanceOptions instances{.min_share = 0.6};
+    const auto distinct = register_instances(source, target, options, instances);
+    ASSERT_EQ(distinct.size(), 1u);
+    EXPECT_TRUE(c.is_truth(distinct[0].target_from_source));
+    options.evidence = Evidence::Count;
+    EXPECT_EQ(register_instances(source, target, options, instances).size(), 2u);
+  }
+}
+
+TEST(Evidence, IsWhatTheJointSearchProvesToo) {
+  for (auto& [c, options] : contests()) {
+    options.certify = true;
+    const Result result = register_correspondences(c.problem.source, c.problem.target, options);
+    EXPECT_TRUE(c.is_truth(result.target_from_source));
+    EXPECT_TRUE(result.certificate.evidence.certified);
+    EXPECT_EQ(result.certificate.upper, 15);
+    EXPECT_FALSE(result.certificate.certified);
+  }
+}
+
+}  // namespace
+}  // namespace gmcr
