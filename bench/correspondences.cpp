@@ -3,7 +3,11 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <exception>
+#include <limits>
+#include <numbers>
 
 #include "gmcr/io.hpp"
 #include "gmcr/synthetic.hpp"
@@ -20,19 +24,32 @@ struct Case {
   std::filesystem::path folder;
   double noise_bound;
   double max_translation_error;  // metres; infinity where the set judges by rotation alone
+  bool is_upright;               // the z axes of both frames point up
 };
 
+struct Settings {
+  std::string out = "out/bench/correspondences.jsonl";
+  std::vector<std::string> methods{"gmcr",         "gmcr-count",   "paper",
+                                   "gmcr-certify", "gmcr-gravity", "gmcr-auto-noise"};
+  int threads = 0;
+  int repetitions = 5;
+  TimeLimits limits{20, 30};
+};
+
+constexpr double kRadians = std::numbers::pi / 180;  // a degree
 constexpr double kMaxRotationErrorDeg = 5;
+constexpr double kMaxTiltDeg = 3;
 
 std::vector<Case> find_cases(const std::filesystem::path& root) {
   std::vector<Case> cases;
   for (const auto& folder : pairs_of_set(root, "kitti_fpfh")) {
-    cases.push_back({"kitti_fpfh", folder, 0.6, 0.6});
+    cases.push_back({"kitti_fpfh", folder, 0.6, 0.6, true});
   }
   for (const auto& folder : pairs_of_set(root, "gore")) {
     const auto resolution = listed_resolution(root, "gore", folder.filename().string());
     if (!resolution) continue;
-    cases.push_back({"gore", folder, 2 * *resolution, std::numeric_limits<double>::infinity()});
+    cases.push_back(
+        {"gore", folder, 2 * *resolution, std::numeric_limits<double>::infinity(), false});
   }
   return cases;
 }
@@ -47,7 +64,26 @@ Problem load(const Case& item, std::uint64_t seed) {
   draw.seed = seed;
   const Similarity motion = make_synthetic(draw).target_from_source;
   const Similarity truth = read_transform(item.folder / "T_target_source.txt");
-  return {motion.apply(matches.source), matches.target, truth * motion.inverse(), item.noise_bound};
+  Problem problem{motion.apply(matches.source), matches.target, truth * motion.inverse(),
+                  item.noise_bound};
+  if (item.is_upright) {
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    problem.gravity = GravityPrior{motion.rotation * up, up, kMaxTiltDeg * kRadians};
+  }
+  return problem;
+}
+
+/// Whether the set has what the method needs.
+bool suits(const NamedMethod& method, const Problem& problem) {
+  return method.name != "gmcr-gravity" || problem.gravity;
+}
+
+/// Angle between what the truth makes of the source's gravity and the target's.
+double true_tilt_deg(const Problem& problem) {
+  const Eigen::Vector3d turned = problem.truth.rotation * problem.gravity->source;
+  return std::atan2(turned.cross(problem.gravity->target).norm(),
+                    turned.dot(problem.gravity->target)) /
+         kRadians;
 }
 
 bool succeeded(const Json& record, const Case& item) {
@@ -55,31 +91,39 @@ bool succeeded(const Json& record, const Case& item) {
          record["errors"]["translation"] <= item.max_translation_error;
 }
 
-void run(const std::string& out, const std::vector<std::string>& method_names, int threads,
-         int repetitions, double time_limit) {
+Json run_one(const Settings& settings, const Case& item, const Problem& problem, std::uint64_t seed,
+             const NamedMethod& method) {
+  Options options;
+  options.num_threads = settings.threads;
+  Json record = {{"scenario", item.set + "/" + item.folder.filename().string()},
+                 {"set", item.set},
+                 {"seed", seed}};
+  record.update(solve(problem, options, method, settings.limits, settings.repetitions));
+  if (problem.gravity) record["true_tilt_deg"] = true_tilt_deg(problem);
+  judge(record, succeeded(record, item));
+  return record;
+}
+
+void run(const Settings& settings) {
   const auto cases = find_cases(data_root());
-  const auto methods = methods_named(method_names);
-  Records records(out, "correspondences", cases.size() * methods.size());
+  const auto methods = methods_named(settings.methods);
+  Records records(settings.out, "correspondences", cases.size());
   if (cases.empty()) fmt::print(stderr, "skipped: no data in {}\n", data_root().string());
 
   std::uint64_t seed = 0;
   for (const Case& item : cases) {
     const Problem problem = load(item, ++seed);
+    std::vector<Json> group;
+    std::string note = item.set + "/" + item.folder.filename().string();
     for (const NamedMethod& method : methods) {
-      Options options;
-      options.num_threads = threads;
-      options.budget.time = time_limit;
-      Json record = {{"scenario", item.set + "/" + item.folder.filename().string()},
-                     {"set", item.set},
-                     {"seed", seed}};
-      record.update(solve(problem, options, method, repetitions));
-      record["success"] = succeeded(record, item);
-      const std::string note =
-          fmt::format("{} {} {} {} {:.1f} ms", record["scenario"].get<std::string>(), method.name,
-                      record["success"] ? "right" : "WRONG", record["status"].get<std::string>(),
-                      record.value("wall_ms", 0.0));
-      records.write(std::vector<Json>(1, record), note);
+      if (!suits(method, problem)) continue;
+      group.push_back(run_one(settings, item, problem, seed, method));
+      const Json& record = group.back();
+      note +=
+          fmt::format("; {} {} {} {:.1f} ms", method.name, record["success"] ? "right" : "WRONG",
+                      record["status"].get<std::string>(), record.value("wall_ms", 0.0));
     }
+    records.write(group, note);
   }
 }
 
@@ -87,19 +131,17 @@ void run(const std::string& out, const std::vector<std::string>& method_names, i
 
 int main(int argc, char** argv) {
   CLI::App app{"Registers the real correspondences of the KITTI FPFH and GORE sets."};
-  std::string out = "out/bench/correspondences.jsonl";
-  std::vector<std::string> methods{"gmcr", "gmcr-count", "paper"};
-  int threads = 0;
-  int repetitions = 5;
-  double time_limit = 20;
-  app.add_option("--out", out, "file for the records")->capture_default_str();
-  app.add_option("--methods", methods, "gmcr, gmcr-count, paper")->delimiter(',');
-  app.add_option("--threads", threads, "0: all cores")->capture_default_str();
-  app.add_option("--repetitions", repetitions, "solves a record")->capture_default_str();
-  app.add_option("--time-limit", time_limit, "seconds a solve")->capture_default_str();
+  Settings settings;
+  app.add_option("--out", settings.out, "file for the records")->capture_default_str();
+  app.add_option("--methods", settings.methods, method_names())->delimiter(',');
+  app.add_option("--threads", settings.threads, "0: all cores")->capture_default_str();
+  app.add_option("--repetitions", settings.repetitions, "solves a record")->capture_default_str();
+  app.add_option("--time-limit", settings.limits.solve, "seconds a solve")->capture_default_str();
+  app.add_option("--certify-time-limit", settings.limits.certify, "seconds a solve that certifies")
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    run(out, methods, threads, repetitions, time_limit);
+    run(settings);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_correspondences: {}\n", error.what());
     return 1;

@@ -4,14 +4,42 @@
 #include <stdexcept>
 
 namespace gmcr::bench {
+namespace {
+
+void use_gravity(Options& options, const Problem& problem) {
+  if (!problem.gravity) throw std::invalid_argument("gravity: not known for this problem");
+  options.priors.gravity = problem.gravity;
+}
+
+void estimate_noise(Options& options) {
+  options.noise_mode = NoiseMode::Estimated;
+  options.noise_bound = 0;
+}
+
+}  // namespace
 
 const std::vector<NamedMethod>& all_methods() {
   static const std::vector<NamedMethod> methods{
-      {"gmcr", Method::Gmcr, Evidence::Distinct},
-      {"gmcr-count", Method::Gmcr, Evidence::Count},
-      {"paper", Method::Paper, Evidence::Count},
+      {"gmcr", [](Options&, const Problem&) {}},
+      {"gmcr-count", [](Options& options, const Problem&) { options.evidence = Evidence::Count; }},
+      {"paper",
+       [](Options& options, const Problem&) {
+         options.method = Method::Paper;
+         options.evidence = Evidence::Count;
+       }},
+      {"gmcr-certify", [](Options& options, const Problem&) { options.certify = true; }},
+      {"gmcr-gravity", use_gravity},
+      {"gmcr-auto-noise", [](Options& options, const Problem&) { estimate_noise(options); }},
   };
   return methods;
+}
+
+std::string method_names() {
+  std::string names;
+  for (const NamedMethod& method : all_methods()) {
+    names += (names.empty() ? "" : ", ") + method.name;
+  }
+  return names;
 }
 
 std::vector<NamedMethod> methods_named(const std::vector<std::string>& names) {

@@ -53,20 +53,31 @@ Json describe(const Result& result) {
   for (const StageTime& stage : result.diagnostics.stages) {
     stages[stage.name] = 1e3 * stage.seconds;
   }
-  return {{"status", to_string(result.status)},
-          {"status_reason", result.status_reason},
-          {"num_inliers", result.inliers.size()},
-          {"evidence", result.evidence},
-          {"certificate",
-           {{"lower", result.certificate.lower},
-            {"upper", result.certificate.upper},
-            {"certified", result.certificate.certified}}},
-          {"num_candidates", result.diagnostics.num_candidates},
-          {"num_scale_ranges", result.diagnostics.num_scale_ranges},
-          {"num_clique_nodes", result.diagnostics.num_clique_nodes},
-          {"limits_hit", result.diagnostics.limits_hit},
-          {"threads", result.diagnostics.num_threads},
-          {"stages_ms", stages}};
+  Json record = {{"status", to_string(result.status)},
+                 {"status_reason", result.status_reason},
+                 {"num_inliers", result.inliers.size()},
+                 {"evidence", result.evidence},
+                 {"certificate",
+                  {{"lower", result.certificate.lower},
+                   {"upper", result.certificate.upper},
+                   {"certified", result.certificate.certified},
+                   {"evidence",
+                    {{"lower", result.certificate.evidence.lower},
+                     {"upper", result.certificate.evidence.upper},
+                     {"certified", result.certificate.evidence.certified}}}}},
+                 {"num_candidates", result.diagnostics.num_candidates},
+                 {"num_scale_ranges", result.diagnostics.num_scale_ranges},
+                 {"num_clique_nodes", result.diagnostics.num_clique_nodes},
+                 {"limits_hit", result.diagnostics.limits_hit},
+                 {"threads", result.diagnostics.num_threads},
+                 {"stages_ms", stages}};
+  if (result.noise_estimate) {
+    record["noise_estimate"] = {{"noise_bound", result.noise_estimate->noise_bound},
+                                {"stable_min", result.noise_estimate->stable_min},
+                                {"stable_max", result.noise_estimate->stable_max},
+                                {"log10_false_alarms", result.noise_estimate->log10_false_alarms}};
+  }
+  return record;
 }
 
 Records::Records(const std::filesystem::path& path, std::string program, std::size_t num_groups)

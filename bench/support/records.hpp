@@ -21,7 +21,8 @@ Json environment();
 /// Hash of the bits of the points of a problem, as 16 hexadecimal digits (FNV-1a).
 std::string input_hash(const PointsRef& source, const PointsRef& target);
 
-/// What a result says of itself: status, inliers, certificate, stage times, counts.
+/// What a result says of itself: status, inliers, certificates, estimated noise, stage times,
+/// counts.
 Json describe(const Result& result);
 
 /// Appends one JSON line a run to a file, and tells how far the program is on stderr.

@@ -11,9 +11,41 @@
 namespace gmcr::bench {
 namespace {
 
+constexpr double kRounding = 1e-9;
+
 Index count_true_inliers(const Problem& problem) {
-  const auto residuals = (problem.target - problem.truth.apply(problem.source)).colwise().norm();
-  return (residuals.array() <= problem.noise_bound).count();
+  const Eigen::ArrayXd residuals =
+      (problem.target - problem.truth.apply(problem.source)).colwise().norm();
+  return (residuals <= problem.noise_bound).count();
+}
+
+/// The result of the last solve; writes the wall times into the record.
+Result time_solves(const Problem& problem, const Options& options, int repetitions, Json& record) {
+  Result result;
+  std::vector<double> wall_ms;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    result = register_correspondences(problem.source, problem.target, options);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    wall_ms.push_back(elapsed.count());
+    // A solve that took half of its time limit or more is slow enough to be seen in one run.
+    if (elapsed.count() > 500 * options.budget.time) break;
+  }
+  record["wall_ms"] = quantile(wall_ms, 0.5);
+  record["wall_ms_quartiles"] = {quantile(wall_ms, 0.25), quantile(wall_ms, 0.75)};
+  record["repetitions"] = wall_ms.size();
+  return result;
+}
+
+/// By the bound that the result was judged by.
+Consensus consensus_of_truth(const Problem& problem, Options options, const Result& result) {
+  if (options.noise_mode == NoiseMode::Estimated) {
+    options.noise_mode = NoiseMode::Given;
+    options.noise_bound =
+        result.noise_estimate ? result.noise_estimate->noise_bound : problem.noise_bound;
+  }
+  return evaluate_consensus(problem.truth, problem.source, problem.target, options);
 }
 
 }  // namespace
@@ -33,31 +65,23 @@ Json errors_of(const Similarity& estimate, const Similarity& truth, const Points
           {"mean_point", mean_point_error(estimate, truth, points)}};
 }
 
-Json solve(const Problem& problem, Options options, const NamedMethod& method, int repetitions) {
-  options.method = method.method;
-  options.evidence = method.evidence;
-  options.noise_bound = problem.noise_bound;
+Json solve(const Problem& problem, Options options, const NamedMethod& method, TimeLimits limits,
+           int repetitions) {
   Json record = {{"method", method.name},
                  {"input_hash", input_hash(problem.source, problem.target)},
                  {"num_correspondences", problem.source.cols()},
                  {"num_true_inliers", count_true_inliers(problem)},
                  {"noise_bound", problem.noise_bound}};
   try {
-    Result result;
-    std::vector<double> wall_ms;
-    for (int i = 0; i < repetitions; ++i) {
-      const auto start = std::chrono::steady_clock::now();
-      result = register_correspondences(problem.source, problem.target, options);
-      const std::chrono::duration<double, std::milli> elapsed =
-          std::chrono::steady_clock::now() - start;
-      wall_ms.push_back(elapsed.count());
-      // A solve that took half of its time limit or more is slow enough to be seen in one run.
-      if (elapsed.count() > 500 * options.budget.time) break;
-    }
+    options.noise_bound = problem.noise_bound;
+    method.adapt(options, problem);
+    options.budget.time = options.certify ? limits.certify : limits.solve;
+    record["time_limit"] = options.budget.time;
+    const Result result = time_solves(problem, options, options.certify ? 1 : repetitions, record);
     record.update(describe(result));
-    record["wall_ms"] = quantile(wall_ms, 0.5);
-    record["wall_ms_quartiles"] = {quantile(wall_ms, 0.25), quantile(wall_ms, 0.75)};
-    record["repetitions"] = wall_ms.size();
+    const Consensus truth = consensus_of_truth(problem, options, result);
+    record["truth_inliers"] = truth.inliers.size();
+    record["truth_evidence"] = truth.evidence;
     if (result.status == Status::Ok || result.status == Status::Degenerate) {
       record["errors"] = errors_of(result.target_from_source, problem.truth, problem.source);
     }
@@ -66,6 +90,15 @@ Json solve(const Problem& problem, Options options, const NamedMethod& method, i
     record["status_reason"] = error.what();
   }
   return record;
+}
+
+void judge(Json& record, bool success) {
+  record["success"] = success;
+  if (!record.contains("truth_evidence")) return;
+  const double truth = record["truth_evidence"];
+  const double found = record["evidence"];
+  record["missed"] = truth > found + kRounding * truth;
+  record["truth_is_beaten"] = !success && !record["missed"].get<bool>();
 }
 
 }  // namespace gmcr::bench

@@ -18,27 +18,21 @@ struct VoteChanges {
 
 }  // namespace
 
-ScaleBins::ScaleBins(const ScaleRange& range, double ratio)
-    : range_(range), log_min_(std::log(range.min)), log_ratio_(std::log(ratio)) {
-  count_ = std::max<Index>(
-      1, static_cast<Index>(std::ceil((std::log(range.max) - log_min_) / log_ratio_ - 1e-9)));
-}
-
-ScaleRange ScaleBins::operator[](Index bin) const {
-  const auto edge = [&](Index b) {
-    return std::exp(log_min_ + static_cast<double>(b) * log_ratio_);
-  };
-  return {bin == 0 ? range_.min : edge(bin), bin + 1 == count_ ? range_.max : edge(bin + 1)};
-}
-
-std::pair<Index, Index> ScaleBins::covering(double lower, double upper) const {
-  if (!(lower <= range_.max && upper >= range_.min)) return {0, -1};
-  constexpr double kEdge = 1e-9;  // of a bin's width: more than the rounding of log and exp
-  const double first = lower > range_.min ? (std::log(lower) - log_min_) / log_ratio_ - kEdge : 0;
-  const double last = upper < range_.max ? (std::log(upper) - log_min_) / log_ratio_ + kEdge
-                                         : static_cast<double>(count_);
-  return {std::clamp<Index>(static_cast<Index>(first), 0, count_ - 1),
-          std::clamp<Index>(static_cast<Index>(last), 0, count_ - 1)};
+ScaleBins::ScaleBins(const ScaleRange& range, double ratio) : first_cell_(cell(range.min)) {
+  const double log_min = std::log(range.min), log_ratio = std::log(ratio);
+  const double count = std::ceil((std::log(range.max) - log_min) / log_ratio - 1e-9);
+  edges_.push_back(range.min);
+  for (double b = 1; b < count; ++b) {
+    const double next = std::exp(log_min + b * log_ratio);
+    if (next > edges_.back() && next < range.max) edges_.push_back(next);
+  }
+  edges_.push_back(range.max);
+  std::int32_t bin = 0;
+  for (std::uint64_t c = first_cell_; c <= cell(range.max); ++c) {
+    const double lower = std::bit_cast<double>(c << kCellShift);
+    while (bin + 1 < size() && edge(bin + 1) <= lower) ++bin;
+    bin_of_cell_.push_back(bin);
+  }
 }
 
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,24 +21,49 @@ class ScaleBins {
   /// @param ratio  upper over lower edge of a bin, > 1; the last bin may be narrower.
   ScaleBins(const ScaleRange& range, double ratio);
 
-  Index size() const { return count_; }
-  ScaleRange operator[](Index bin) const;
+  Index size() const { return static_cast<Index>(edges_.size()) - 1; }
+  ScaleRange operator[](Index bin) const { return {edge(bin), edge(bin + 1)}; }
 
   /// Runs of neighbouring bins over which what changes slowly with the scale is taken as constant.
-  Index num_runs() const { return run_of(count_ - 1) + 1; }
+  Index num_runs() const { return run_of(size() - 1) + 1; }
   Index run_of(Index bin) const { return bin / kBinsPerRun; }
-  Index last_of_run(Index run) const { return std::min(count_, (run + 1) * kBinsPerRun) - 1; }
+  Index last_of_run(Index run) const { return std::min(size(), (run + 1) * kBinsPerRun) - 1; }
 
-  /// Bins that [lower, upper] can meet, as [first, last]; first > last: none. Never misses one; may
-  /// name a neighbour that it only touches.
-  std::pair<Index, Index> covering(double lower, double upper) const;
+  /// Bins that [lower, upper] can meet, as [first, last]; first > last: none. Never misses one for
+  /// the rounding of its ends; may name a neighbour that it only touches. Cost O(1), no logarithm.
+  std::pair<Index, Index> covering(double lower, double upper) const {
+    constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+    lower -= kRounding * std::abs(lower);
+    upper += kRounding * std::abs(upper);
+    if (!(lower <= edges_.back() && upper >= edges_.front())) return {0, -1};
+    Index first = 0, last = size() - 1;
+    if (lower > edges_.front()) {
+      for (first = near(lower); edge(first + 1) < lower;) ++first;
+    }
+    if (upper < edges_.back()) {
+      for (last = near(upper); edge(last + 1) <= upper;) ++last;
+    }
+    return {first, last};
+  }
 
  private:
   static constexpr Index kBinsPerRun = 16;
+  static constexpr int kCellShift = 44;  // leaves 8 bits of the fraction: cells of up to 0.4 %
 
-  ScaleRange range_;
-  double log_min_, log_ratio_;
-  Index count_;
+  /// Number of the cell of a positive scale: as the bits of a double ascend with its value, those
+  /// of exponent and first digits number cells of a like ratio.
+  static std::uint64_t cell(double scale) {
+    return std::bit_cast<std::uint64_t>(scale) >> kCellShift;
+  }
+
+  double edge(Index bin) const { return edges_[static_cast<std::size_t>(bin)]; }
+
+  /// The bin of the lower end of the cell of a scale within the range.
+  Index near(double scale) const { return bin_of_cell_[cell(scale) - first_cell_]; }
+
+  std::vector<double> edges_;  ///< of the bins, ascending; one more than these
+  std::uint64_t first_cell_ = 0;
+  std::vector<std::int32_t> bin_of_cell_;
 };
 
 /// Calls visit(i, j, first_bin, last_bin) for each pair i < j with i in [begin, end) whose interval

@@ -10,8 +10,8 @@ namespace {
 // Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones.
 constexpr Index kChanceInliers = 12;
 constexpr Index kTrustedInliers = 30;
-// Their distinct evidence, which a loose noise bound does not swell: at most 5.4 and at least 8.2.
-constexpr double kTrustedEvidence = 7;
+// Their distinct evidence, which a loose noise bound does not swell: at most 2.4 and at least 5.8.
+constexpr double kTrustedEvidence = 4.5;
 // Shares of a cloud that the other covers.
 constexpr double kLeastCoverage = 0.2;
 constexpr double kPlausibleCoverage = 0.5;

@@ -1,0 +1,1 @@
+"""Markdown reports of the benchmarks, one module a program."""
