@@ -9,7 +9,9 @@ namespace gmcr {
 
 Deadline certify_deadline(PoseSearch& search, Measure measure) {
   if (!search.certifies()) return Deadline(0);
-  const double remaining = search.context().deadline().remaining();
+  // further hypotheses need some time too
+  const double share = search.context().options().num_hypotheses > 1 ? 0.8 : 1;
+  const double remaining = share * search.context().deadline().remaining();
   return Deadline(measure == Measure::Evidence ? remaining / 2 : remaining);
 }
 
