@@ -75,6 +75,11 @@ Hypothesis optimise_locally(const Objective& objective, const PoseConstraints& c
   return to_fixed_point(objective, constraints, std::move(best));
 }
 
+Hypothesis hold_all(const Objective& objective, const PoseConstraints& constraints,
+                    const std::vector<Index>& indices, Hypothesis best) {
+  return equalise(objective, constraints, indices, std::move(best)).first;
+}
+
 Hypothesis reach_for_more(const Objective& objective, const PoseConstraints& constraints,
                           Hypothesis best, double must_exceed) {
   constexpr double kReach = 1.5;

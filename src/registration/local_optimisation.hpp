@@ -12,6 +12,12 @@ namespace gmcr {
 Hypothesis optimise_locally(const Objective& objective, const PoseConstraints& constraints,
                             const Similarity& start);
 
+/// Tries to hold all of the given correspondences by fits that approach the pose of least largest
+/// residual over them (Lawson 1961).
+/// @return never worse than `best` by the objective.
+Hypothesis hold_all(const Objective& objective, const PoseConstraints& constraints,
+                    const std::vector<Index>& indices, Hypothesis best);
+
 /// Tries to bring correspondences just outside the consensus set inside it.
 ///
 /// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the

@@ -72,10 +72,13 @@ std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objectiv
   if (!direct) return std::nullopt;
   ++context.diagnostics().num_candidates;
   Hypothesis best = optimise_locally(objective, constraints, *direct);
-  if (std::includes(best.inliers.begin(), best.inliers.end(), clique.begin(), clique.end())) {
-    return best;
-  }
+  const auto holds_all = [&] {
+    return std::includes(best.inliers.begin(), best.inliers.end(), clique.begin(), clique.end());
+  };
+  if (holds_all()) return best;
   if (objective.evidence_of(clique, best.target_from_source.scale) <= must_exceed) return best;
+  best = hold_all(objective, constraints, clique, std::move(best));
+  if (holds_all()) return best;
   const auto staged = staged_pose(context, c, constraints, clique);
   if (!staged) return best;
   ++context.diagnostics().num_candidates;

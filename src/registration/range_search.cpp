@@ -101,13 +101,10 @@ void PoseSearch::consider(Hypothesis pose) {
 }
 
 void PoseSearch::explain(const UpperBounds& bounds) {
-  if (unproven_.contains(Measure::Inliers) && exceeds(bounds.inliers, max_inliers_)) {
-    context_.limit("a clique search ended before its proof: the upper bound may be loose");
-  }
-  if (unproven_.contains(Measure::Evidence) && exceeds(bounds.evidence, max_evidence_)) {
-    context_.limit(
-        "a search for the clique of most evidence ended before its proof: the bound on "
-        "the evidence may be loose");
+  for (const auto& [measure, sentences] : early_ends_) {
+    const double bound = measure == Measure::Inliers ? bounds.inliers : bounds.evidence;
+    if (!exceeds(bound, to_beat(measure))) continue;
+    for (const std::string& sentence : sentences) context_.limit(sentence);
   }
 }
 
@@ -174,7 +171,13 @@ double search_clique(PoseSearch& search, const RangeGraph& range, Measure measur
                      range.graph, search.weights(measure, range.scales), to_beat, max_nodes);
   }();
   if (!vertices.empty()) search.offer(vertices);
-  if (!proven) search.note_unproven(measure);
+  if (!proven) {
+    search.note_early_end(
+        measure, measure == Measure::Inliers
+                     ? "a clique search ended before its proof: the upper bound may be loose"
+                     : "a search for the clique of most evidence ended before its proof: the bound "
+                       "on the evidence may be loose");
+  }
   return proven && vertices.empty() ? to_beat : upper_bound;
 }
 

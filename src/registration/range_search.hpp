@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "consensus/pair_filter.hpp"
@@ -56,10 +58,12 @@ class PoseSearch {
     return measure == Measure::Inliers ? max_inliers_ : max_evidence_;
   }
 
-  /// Notes that a search for cliques of the measure ended before its proof.
-  void note_unproven(Measure measure) { unproven_.insert(measure); }
+  /// Notes why a bound on the measure may be loose.
+  void note_early_end(Measure measure, const std::string& sentence) {
+    early_ends_[measure].insert(sentence);
+  }
 
-  /// Tells the diagnostics why a bound exceeds what was achieved, where a search ended early.
+  /// Tells the diagnostics of the early ends, for each bound that exceeds what was achieved.
   void explain(const UpperBounds& bounds);
 
   /// What each correspondence adds to the measure, at most, at scales in the range.
@@ -88,7 +92,7 @@ class PoseSearch {
   double max_evidence_ = 0;
   std::set<std::vector<Index>> examined_;  ///< cliques
   std::set<std::vector<Index>> reached_;   ///< consensus sets
-  std::set<Measure> unproven_;
+  std::map<Measure, std::set<std::string>> early_ends_;
 };
 
 /// The consistency graph of a range of scales, less the pairs that the filter does not admit.

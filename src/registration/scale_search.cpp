@@ -104,7 +104,7 @@ double bound_scales(PoseSearch& search, const VotedBins& voted, Measure measure,
   for (Index searched = 0; !queue.empty() && exceeds(queue.top().bound, search.to_beat(measure));) {
     BoundedRange range = queue.top();
     if (searched == max_ranges) {
-      search.context().limit("the search over the scale ended before its proof");
+      search.note_early_end(measure, "the search over the scale ended before its proof");
       return range.bound;
     }
     if (search.context().stopped()) return range.bound;

@@ -91,7 +91,7 @@ TEST(ScaleSearch, BoundsThePosesThatItDoesNotFind) {
     EXPECT_GE(result.certificate.upper, 6);
     num_missed += result.certificate.lower < 6;
   }
-  EXPECT_GE(num_missed, 5);
+  EXPECT_GE(num_missed, 1);  // else nothing was tested
 }
 
 }  // namespace
