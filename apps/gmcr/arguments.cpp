@@ -50,7 +50,7 @@ void add_search(CLI::App& command, Options& options) {
       ->group(kGroup);
   command
       .add_flag("--one-to-one", options.one_to_one,
-                "Let at most one of the matches that share a point count")
+                "Search for poses with one inlier of those that share a point")
       ->group(kGroup);
 }
 

@@ -25,6 +25,10 @@ CLI::Option* NoiseArguments::add_to(CLI::App& command, const std::string& help) 
 }
 
 void NoiseArguments::check_against(const Matches& matches, Options& options) const {
+  if (matches.source.cols() == 0 && !is_given()) {
+    options.noise_bound = 1;  // of no matches any is right
+    return;
+  }
   if (matches.noise_bounds.empty() && !is_given()) {
     throw std::invalid_argument(
         "the noise is not given: add --noise-bound B (metres) or --noise-bound auto, or a 7th "

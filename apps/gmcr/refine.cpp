@@ -55,6 +55,9 @@ Similarity run_icp(const CloudMatches& matches, const Similarity& pose) {
 Refinement refine(CloudResult& result, const Options& options) {
   const Similarity before = result.registration.target_from_source;
   const Similarity after = run_icp(result.matches, before);
+  if (!options.priors.admit(after)) {
+    return {"icp", false, "ICP was rejected: it would leave what the priors admit"};
+  }
   CloudResult refined = with_pose(result, after, options);
   const std::size_t inliers_before = result.registration.inliers.size();
   const std::size_t num_inliers = refined.registration.inliers.size();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -122,7 +123,7 @@ struct Result {
   /// Evidence of the best alternative over that of the result, in [0, 1]; near 1: ambiguous. 0
   /// where no alternative was found.
   double runner_up_ratio() const {
-    return alternatives.empty() ? 0 : alternatives.front().evidence / evidence;
+    return alternatives.empty() ? 0 : std::min(1.0, alternatives.front().evidence / evidence);
   }
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRankTolerance = 1e-12;
 
 /// Weighted moments of the transformed points about their weighted centroid.
-struct Moments {
+struct InlierMoments {
   double weight = 0;                                  ///< sum of w
   Eigen::Vector3d lever = Eigen::Vector3d::Zero();    ///< from t to the centroid
   double squared_radius = 0;                          ///< sum of w |q|^2
@@ -21,9 +21,10 @@ struct Moments {
   double squared_residuals = 0;                       ///< sum of w |r|^2
 };
 
-Moments measure_moments(const Similarity& pose, const PointsRef& source, const PointsRef& target,
-                        const Eigen::ArrayXd& bounds, const std::vector<Index>& indices) {
-  Moments moments;
+InlierMoments measure_inliers(const Similarity& pose, const PointsRef& source,
+                              const PointsRef& target, const Eigen::ArrayXd& bounds,
+                              const std::vector<Index>& indices) {
+  InlierMoments moments;
   Eigen::Vector3d source_mean = Eigen::Vector3d::Zero();
   for (const Index i : indices) {
     const double weight = 1 / (bounds[i] * bounds[i]);
@@ -67,7 +68,8 @@ std::optional<Covariance> estimate_covariance(const Similarity& target_from_sour
                                               const std::vector<Index>& indices,
                                               bool scale_is_free) {
   if (indices.size() < 3) return std::nullopt;
-  const Moments moments = measure_moments(target_from_source, source, target, bounds, indices);
+  const InlierMoments moments =
+      measure_inliers(target_from_source, source, target, bounds, indices);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(moments.inertia);
   const Eigen::Vector3d& principal = inertia.eigenvalues();
   if (!(principal[0] > kRankTolerance * moments.squared_radius)) return std::nullopt;

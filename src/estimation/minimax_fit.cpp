@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "estimation/constrained_fit.hpp"
+#include "estimation/moments.hpp"
 
 namespace gmcr {
 
@@ -25,12 +26,21 @@ bool MinimaxFit::step() {
   if (!fit) return false;
   pose_ = *fit;
   residuals_ = (target_ - pose_.apply(source_)).colwise().norm().transpose().array() / bounds_;
-  const double mean = (weights_ * residuals_.square()).sum() / weights_.sum();
-  lower_bound_ = std::max(lower_bound_, std::sqrt(mean));
+  fitted_weights_ = weights_;
+  mean_square_ = (weights_ * residuals_.square()).sum() / weights_.sum();
   // a floor, so that a point that fits well now can come back
   weights_ *= residuals_.max(1e-3);
   weights_ = (weights_ / weights_.maxCoeff()).max(1e-12);
   return true;
+}
+
+double MinimaxFit::lower_bound() {
+  if (mean_square_ <= lower_bound_ * lower_bound_) return lower_bound_;
+  // the fit may miss the minimum where points are nearly collinear; its bound from below does not
+  const Moments moments = measure_moments(source_, target_, bounds_ / fitted_weights_.sqrt(), all_);
+  const double least = least_squares_bound(moments, constraints_.scales) / fitted_weights_.sum();
+  lower_bound_ = std::max(lower_bound_, std::sqrt(least));
+  return lower_bound_;
 }
 
 }  // namespace gmcr

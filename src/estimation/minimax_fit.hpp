@@ -13,8 +13,8 @@ namespace gmcr {
 /// is least (Lawson 1961): weighted least squares, where each weight is multiplied by its relative
 /// residual.
 ///
-/// Without priors, the weighted mean of the squares at each fit is a lower bound on the square of
-/// the least largest one, since no transform has a smaller mean. So a bound above 1 proves that no
+/// The least weighted mean of the squares that any transform has is a lower bound on the square of
+/// the least largest one. So a bound above 1 proves that no
 /// transform holds all of the points, wherever it is.
 class MinimaxFit {
  public:
@@ -28,8 +28,11 @@ class MinimaxFit {
   const Similarity& pose() const { return pose_; }                ///< of the last fit
   const Eigen::ArrayXd& residuals() const { return residuals_; }  ///< relative, at `pose()`
   const Eigen::ArrayXd& weights() const { return weights_; }      ///< of the next fit, at most 1
-  /// No transform's largest one is below, where the constraints have no priors.
-  double lower_bound() const { return lower_bound_; }
+  double mean_square() const { return mean_square_; }  ///< of the residuals, weighted as in the fit
+
+  /// No transform with a scale in the range, whatever the priors, has a largest relative residual
+  /// below this, the most that the fits so far prove. Cost O(M).
+  double lower_bound();
 
  private:
   Points source_, target_;
@@ -37,8 +40,8 @@ class MinimaxFit {
   PoseConstraints constraints_;
   std::vector<Index> all_;
   Similarity pose_;
-  Eigen::ArrayXd residuals_, weights_;
-  double lower_bound_ = 0;
+  Eigen::ArrayXd residuals_, weights_, fitted_weights_;
+  double mean_square_ = 0, lower_bound_ = 0;
 };
 
 }  // namespace gmcr

@@ -17,9 +17,6 @@ namespace {
 /// Source voxels above which an attempt that keeps all matches costs more than it is worth.
 constexpr Index kMostUnfiltered = 3000;
 
-/// A solver needs some time to say that it has none.
-constexpr double kLeastSeconds = 1e-3;
-
 /// Options to solve with, or to judge a pose with: by then the bound is known.
 Options options_with_bound(const Options& options, const CloudMatches& matches) {
   Options given = options;
@@ -154,7 +151,7 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   EvidenceCertificate& evidence = certificate.evidence;
   evidence.lower = registration.evidence;
   evidence.upper = std::max(evidence.upper, evidence.lower);
-  evidence.certified = evidence.upper <= evidence.lower;
+  evidence.certified = evidence.upper <= evidence.lower * (1 + 1e-9);
   measure_fit(result, options);
   judge(result);
   return result;

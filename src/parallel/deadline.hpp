@@ -6,6 +6,8 @@
 
 namespace gmcr {
 
+inline constexpr double kLeastSeconds = 1e-3;  ///< that a solver needs to say that it has no time
+
 /// Point in time at which work has to end. The only place of the library that reads a clock to
 /// decide.
 class Deadline {

@@ -29,8 +29,7 @@ constexpr double kMaxDegree = 200;         // expected number of neighbours by c
 constexpr Index kFirstSelection = 300;     // correspondences to begin with
 constexpr Index kSelectionGrowth = 4;
 constexpr Index kMostOfUnknownScale = 1200;
-constexpr double kSureLog10 = -10;      // false alarms of a consensus that needs no second look
-constexpr double kLeastSeconds = 1e-3;  // a solver needs some to say that it has none
+constexpr double kSureLog10 = -10;  // false alarms of a consensus that needs no second look
 
 constexpr Index kFirstCount = 4;  // of the sets that false alarms are counted of
 

@@ -12,16 +12,13 @@ namespace gmcr {
 namespace {
 
 /// The poses judged on all of the input, best first.
-std::vector<Hypothesis> judge_all(const std::vector<Similarity>& poses,
-                                  const Correspondences& input, const Objective& objective,
-                                  const Options& options) {
-  const bool all_used = objective.correspondences().size() == input.size();
-  const Evidence evidence = all_used ? Evidence::Count : options.evidence;
-  const Objective on_input(input, evidence, options.budget.memory / 4);
+/// @param weights  null: those of `on_input`.
+std::vector<Hypothesis> judge_all(const std::vector<Similarity>& poses, const Objective* weights,
+                                  const Objective& on_input) {
   std::vector<Hypothesis> judged;
   for (const Similarity& pose : poses) {
     Hypothesis hypothesis = on_input.judge(pose);
-    if (all_used) hypothesis.evidence = objective.evidence_of(hypothesis.inliers, pose.scale);
+    if (weights) hypothesis.evidence = weights->evidence_of(hypothesis.inliers, pose.scale);
     if (hypothesis.num_inliers() >= kMinInliers) judged.push_back(std::move(hypothesis));
   }
   std::stable_sort(judged.begin(), judged.end(), is_better);
@@ -55,16 +52,26 @@ void describe_uncertainty(Result& result, SolveContext& context, const Correspon
 void conclude(Result& result, SolveContext& context, const MethodResult& found,
               const Correspondences& input, const Objective& objective) {
   const Options& options = context.options();
-  std::vector<Hypothesis> judged = judge_all(found.poses, input, objective, options);
+  // where all were used, their weights are known
+  const bool all_used = objective.correspondences().size() == input.size();
+  const Objective on_input(input, all_used ? Evidence::Count : options.evidence,
+                           options.budget.memory / 4);
+  double evidence_upper_bound = found.evidence_upper_bound;
+  if (!on_input.weights_complete()) {
+    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+    evidence_upper_bound = static_cast<double>(found.upper_bound);
+  }
+  std::vector<Hypothesis> judged =
+      judge_all(found.poses, all_used ? &objective : nullptr, on_input);
   if (judged.empty()) {
     result.status = Status::NoConsensus;
     result.status_reason = "no pose found has 3 inliers";
-    result.certificate = certify(0, found.upper_bound, 0, found.evidence_upper_bound);
+    result.certificate = certify(0, found.upper_bound, 0, evidence_upper_bound);
     return;
   }
   const Hypothesis& best = judged.front();
   result.certificate =
-      certify(best.num_inliers(), found.upper_bound, best.evidence, found.evidence_upper_bound);
+      certify(best.num_inliers(), found.upper_bound, best.evidence, evidence_upper_bound);
   result.target_from_source = best.target_from_source;
   result.inliers = best.inliers;
   result.evidence = best.evidence;

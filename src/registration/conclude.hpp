@@ -7,8 +7,6 @@
 
 namespace gmcr {
 
-constexpr Index kMinInliers = 3;  ///< that determine a pose
-
 /// Fills transforms, inliers, certificate, status and uncertainty, all judged on the caller's
 /// correspondences and poses between the caller's frames: these residuals are what the caller can
 /// check.

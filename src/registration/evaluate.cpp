@@ -16,12 +16,19 @@ void require_given_noise(const Options& options) {
   throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
 }
 
+/// @throws std::invalid_argument where a pose is none.
+void require_pose(const Similarity& pose) {
+  if (pose.scale > 0 && pose.matrix().allFinite()) return;
+  throw std::invalid_argument("target_from_source: is not finite, or its scale is not positive");
+}
+
 }  // namespace
 
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options) {
   validate_input(source, target, options);
   require_given_noise(options);
+  require_pose(target_from_source);
   const Correspondences input = correspondences_of(source, target, options);
   const Hypothesis judged =
       Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
@@ -33,6 +40,7 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
                                  const Options& options) {
   validate_input(source, target, options);
   require_given_noise(options);
+  require_pose(target_from_source);
   for (const Index i : inliers) {
     if (i >= 0 && i < source.cols()) continue;
     throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +

@@ -51,7 +51,12 @@ MethodResult solve_gmcr(SolveContext& context, const Objective& objective,
   result.evidence_upper_bound = std::max(bounds.evidence, search.to_beat(Measure::Evidence));
   std::vector<Hypothesis> found;
   if (search.best()) found.push_back(*search.best());
-  while (!found.empty() && static_cast<int>(found.size()) < context.options().num_hypotheses) {
+  // a search that finds no consensus leaves nothing out for the next
+  const auto may_go_on = [&] {
+    return !found.empty() && found.back().num_inliers() >= kMinInliers &&
+           static_cast<int>(found.size()) < context.options().num_hypotheses && !context.stopped();
+  };
+  while (may_go_on()) {
     PoseSearch next(context, objective, constraints, filter, found);
     search_all_scales(next);
     if (!next.best()) break;

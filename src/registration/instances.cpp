@@ -13,9 +13,6 @@
 namespace gmcr {
 namespace {
 
-/// A solver needs some time to say that it has none.
-constexpr double kLeastSeconds = 1e-3;
-
 /// The options for some of the correspondences.
 Options options_of(const Options& options, const std::vector<Index>& left, double seconds) {
   Options some = options;

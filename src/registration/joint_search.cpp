@@ -1,7 +1,8 @@
 #include "registration/joint_search.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -9,19 +10,12 @@
 #include "clique/coloring.hpp"
 #include "clique/degeneracy.hpp"
 #include "clique/packed_graph.hpp"
-#include "estimation/minimax_fit.hpp"
 
 namespace gmcr {
 namespace {
 
-constexpr double kInfeasible = 1 + 1e-9;  // beyond the rounding of a mean of squares
-
 /// Members for which pairs of the others are still tested: more cost more than they drop.
 constexpr std::size_t kMaxKeptForPairs = 3;
-
-Points columns(const Eigen::MatrixX3d& points, const std::vector<Index>& indices) {
-  return points(indices, Eigen::all).transpose();
-}
 
 std::vector<Index> without(const std::vector<Index>& members, const std::vector<Index>& removed) {
   std::vector<Index> rest;
@@ -31,12 +25,15 @@ std::vector<Index> without(const std::vector<Index>& members, const std::vector<
   return rest;
 }
 
-BitsetGraph unpack(const PackedGraph& packed) {
-  BitsetGraph graph(packed.num_vertices());
+/// The subgraph that vertices induce, in their order.
+BitsetGraph induced(const BitsetGraph& graph, const std::vector<Index>& vertices) {
+  PackedGraph packed;
+  packed.assign(graph, vertices);
+  BitsetGraph subgraph(packed.num_vertices());
   for (Index v = 0; v < packed.num_vertices(); ++v) {
-    std::copy_n(packed.row(v), packed.words_per_row(), graph.mutable_row(v).begin());
+    std::copy_n(packed.row(v), packed.words_per_row(), subgraph.mutable_row(v).begin());
   }
-  return graph;
+  return subgraph;
 }
 
 }  // namespace
@@ -44,18 +41,11 @@ BitsetGraph unpack(const PackedGraph& packed) {
 JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const BitsetGraph& graph,
                          std::span<const double> weights, const ScaleRange& scales, Offer offer,
                          const Deadline& deadline)
-    : arrays_(arrays),
-      graph_(graph),
+    : graph_(graph),
       weights_(weights),
-      scales_(scales),
       offer_(std::move(offer)),
       deadline_(deadline),
-      moments_(static_cast<std::size_t>(arrays.size())) {
-  for (Index i = 0; i < arrays.size(); ++i) {
-    moments_[static_cast<std::size_t>(i)] = point_moments(
-        arrays.source.row(i), arrays.target.row(i), 1 / (arrays.bounds[i] * arrays.bounds[i]));
-  }
-}
+      joint_(arrays, scales) {}
 
 double JointSearch::run(double to_beat) {
   to_beat_ = to_beat;
@@ -110,22 +100,23 @@ double JointSearch::branch(const Node& node) {
 
 JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> before,
                                      Index chosen) const {
-  std::vector<bool> keep(node.open.size(), false);
+  std::vector<Index> vertices;
   for (const Index v : before) {
-    keep[static_cast<std::size_t>(v)] = node.graph.has_edge(chosen, v);
+    if (node.graph.has_edge(chosen, v)) vertices.push_back(v);
   }
-  Node next = node;
-  keep_open(next, keep);
+  std::sort(vertices.begin(), vertices.end());
+  Node next;
+  next.graph = induced(node.graph, vertices);
+  for (const Index v : vertices) next.open.push_back(node.open[static_cast<std::size_t>(v)]);
   const auto i = static_cast<std::size_t>(node.open[static_cast<std::size_t>(chosen)]);
+  next.kept = node.kept;
   next.kept.push_back(static_cast<Index>(i));
-  next.kept_weight += weights_[i];
+  next.kept_weight = node.kept_weight + weights_[i];
   return next;
 }
 
 void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
-  PackedGraph packed;
-  packed.assign(node.graph, vertices);
-  node.graph = unpack(packed);
+  node.graph = induced(node.graph, vertices);
   std::vector<Index> open;
   for (const Index v : vertices) open.push_back(node.open[static_cast<std::size_t>(v)]);
   node.open = std::move(open);
@@ -170,25 +161,17 @@ void JointSearch::drop_hopeless(Node& node) const {
   if (!hopeless.empty()) keep_open(node, keep);
 }
 
-bool JointSearch::fit_jointly(const Moments& kept, double kept_share,
-                              std::initializer_list<Index> others) const {
-  Moments sum = kept * kept_share;
-  for (const Index i : others) {
-    sum += moments_[static_cast<std::size_t>(i)] *
-           ((1 - kept_share) / static_cast<double>(others.size()));
-  }
-  return least_squares_bound(sum, scales_) <= kInfeasible;
-}
-
 void JointSearch::drop_misfits(Node& node) const {
   if (node.kept.size() > kMaxKeptForPairs) return drop_misfits_of_many(node);
   const auto num_kept = static_cast<double>(node.kept.size());
-  const Moments kept = mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
+  const Moments kept =
+      joint_.mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
   const auto open = [&](Index v) { return node.open[static_cast<std::size_t>(v)]; };
   if (node.kept.size() > 1) {
     std::vector<bool> keep(node.open.size());
     for (Index v = 0; v < node.graph.num_vertices(); ++v) {
-      keep[static_cast<std::size_t>(v)] = fit_jointly(kept, num_kept / (num_kept + 1), {open(v)});
+      keep[static_cast<std::size_t>(v)] =
+          joint_.may_hold(kept, num_kept / (num_kept + 1), {open(v)});
     }
     keep_open(node, keep);
   }
@@ -197,53 +180,31 @@ void JointSearch::drop_misfits(Node& node) const {
     if (deadline_.expired()) return;
     for (Index u = 0; u < v; ++u) {
       if (!node.graph.has_edge(u, v)) continue;
-      if (fit_jointly(kept, num_kept / (num_kept + 2), {open(u), open(v)})) graph.add_edge(u, v);
+      if (joint_.may_hold(kept, num_kept / (num_kept + 2), {open(u), open(v)})) {
+        graph.add_edge(u, v);
+      }
     }
   }
   node.graph = std::move(graph);
 }
 
 void JointSearch::drop_misfits_of_many(Node& node) const {
-  // minimax weights of the kept ones bring their mean close to the limit, so that one misfit more
-  // exceeds it; the shares are a few out of many that are valid
-  constexpr int kSteps = 20;
-  constexpr double kShares[] = {0.5, 0.75, 0.9};
-  MinimaxFit fit = fit_of(node.kept);
-  Eigen::ArrayXd weights = fit.weights();
-  for (int step = 0; step < kSteps; ++step) {
-    weights = fit.weights();
-    if (!fit.step()) break;
-    if (fit.lower_bound() > kInfeasible) return keep_open(node, {});
-  }
-  const Moments kept = mean_moments(node.kept, weights);
-  std::vector<bool> keep(node.open.size());
-  for (std::size_t v = 0; v < keep.size(); ++v) {
-    keep[v] = std::all_of(std::begin(kShares), std::end(kShares),
-                          [&](double share) { return fit_jointly(kept, share, {node.open[v]}); });
+  constexpr double kShares[] = {0.5, 0.75, 0.9};  // a few out of many that are valid
+  const auto kept = joint_.levelled_moments(node.kept);
+  std::vector<bool> keep(node.open.size(), false);
+  for (std::size_t v = 0; kept && v < keep.size(); ++v) {
+    keep[v] = std::all_of(std::begin(kShares), std::end(kShares), [&](double share) {
+      return joint_.may_hold(*kept, share, {node.open[v]});
+    });
   }
   keep_open(node, keep);
-}
-
-Moments JointSearch::mean_moments(const std::vector<Index>& members,
-                                  const Eigen::ArrayXd& weights) const {
-  Moments sum;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    sum += moments_[static_cast<std::size_t>(members[k])] *
-           (weights[static_cast<Index>(k)] / weights.sum());
-  }
-  return sum;
-}
-
-MinimaxFit JointSearch::fit_of(const std::vector<Index>& members) const {
-  return MinimaxFit(columns(arrays_.source, members), columns(arrays_.target, members),
-                    arrays_.bounds(members), PoseConstraints{scales_});
 }
 
 void JointSearch::sort_by_fit(Node& node) const {
   // what fits worst is branched on first: it excludes much else, or is soon excluded
   std::vector<Index> all = node.kept;
   all.insert(all.end(), node.open.begin(), node.open.end());
-  MinimaxFit fit = fit_of(all);
+  MinimaxFit fit = joint_.fit(all);
   if (!fit.step()) return;
   const auto num_kept = static_cast<Index>(node.kept.size());
   std::vector<Index> order(node.open.size());
@@ -260,7 +221,7 @@ double JointSearch::resolve(const std::vector<Index>& kept, const std::vector<In
   if (deadline_.expired()) return weight;
   std::vector<Index> all = kept;
   all.insert(all.end(), open.begin(), open.end());
-  const Conflict conflict = find_conflict(all);
+  const JointFit::Conflict conflict = joint_.find_conflict(all);
   if (conflict.pose) to_beat_ = std::max(to_beat_, offer_(*conflict.pose));
   if (conflict.members.empty()) return std::max(to_beat_, weight);
 
@@ -284,10 +245,10 @@ double JointSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index
                                double enough) const {
   // conflicts that share no member that may go: each costs its lightest one
   double loss = 0;
-  while (loss < enough) {
+  while (loss < enough && !deadline_.expired()) {
     std::vector<Index> all = kept;
     all.insert(all.end(), open.begin(), open.end());
-    const std::vector<Index> members = find_conflict(all).members;
+    const std::vector<Index> members = joint_.find_conflict(all).members;
     const std::vector<Index> rest = without(open, members);
     if (members.empty()) break;
     if (rest.size() == open.size()) return enough;  // the kept ones alone exclude each other
@@ -299,36 +260,6 @@ double JointSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index
     open = rest;
   }
   return loss;
-}
-
-JointSearch::Conflict JointSearch::find_conflict(const std::vector<Index>& members) const {
-  constexpr int kMaxSteps = 200;
-  constexpr std::array<std::size_t, 8> kSizes{4, 5, 6, 7, 8, 10, 14, 20};
-  const auto settle = [&](const std::vector<Index>& some, auto&& fit) {
-    for (int step = 0; step < kMaxSteps; ++step) {
-      if (!fit.step() || fit.residuals().maxCoeff() <= 1 || fit.lower_bound() > kInfeasible) break;
-    }
-    return some.size() >= 3 && fit.lower_bound() > kInfeasible;
-  };
-  MinimaxFit fit = fit_of(members);
-  if (!settle(members, fit)) {
-    const bool holds = members.size() >= 3 && fit.residuals().maxCoeff() <= 1;
-    return {{}, holds ? std::optional(fit.pose()) : std::nullopt};
-  }
-  std::vector<Index> order(members.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return fit.weights()[a] > fit.weights()[b]; });
-  for (const std::size_t size : kSizes) {
-    if (size >= members.size()) break;
-    std::vector<Index> few;
-    for (std::size_t k = 0; k < size; ++k)
-      few.push_back(members[static_cast<std::size_t>(order[k])]);
-    if (settle(few, fit_of(few))) return {few, std::nullopt};
-  }
-  std::vector<Index> all;
-  for (const Index k : order) all.push_back(members[static_cast<std::size_t>(k)]);
-  return {all, std::nullopt};
 }
 
 double JointSearch::weight_of(const std::vector<Index>& members) const {

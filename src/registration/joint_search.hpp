@@ -1,18 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "estimation/minimax_fit.hpp"
-#include "estimation/moments.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "kernels/consistency_row.hpp"
 #include "parallel/deadline.hpp"
+#include "registration/joint_fit.hpp"
 
 namespace gmcr {
 
@@ -52,37 +49,25 @@ class JointSearch {
     BitsetGraph graph;  ///< over `open`: the pairs that may fit jointly with `kept`
     double kept_weight = 0;
   };
-  struct Conflict {
-    std::vector<Index> members;      ///< that no transform holds together; empty: none was found
-    std::optional<Similarity> pose;  ///< holds all
-  };
-
   double search(Node& node);
   double branch(const Node& node);
   Node child(const Node& node, std::span<const Index> before, Index chosen) const;
   void drop_hopeless(Node& node) const;
   void drop_misfits(Node& node) const;
   void drop_misfits_of_many(Node& node) const;
-  bool fit_jointly(const Moments& kept, double kept_share,
-                   std::initializer_list<Index> others) const;
   void sort_by_fit(Node& node) const;
   void keep_open(Node& node, const std::vector<bool>& keep) const;
   void select_open(Node& node, const std::vector<Index>& vertices) const;
-  Moments mean_moments(const std::vector<Index>& members, const Eigen::ArrayXd& weights) const;
-  MinimaxFit fit_of(const std::vector<Index>& members) const;
   double resolve(const std::vector<Index>& kept, const std::vector<Index>& open);
   double loss_bound(const std::vector<Index>& kept, std::vector<Index> open, double enough) const;
-  Conflict find_conflict(const std::vector<Index>& members) const;
   double weight_of(const std::vector<Index>& members) const;
   bool exceeds(double weight) const { return weight > to_beat_ * (1 + 1e-12); }
 
-  const kernels::CorrespondenceArrays& arrays_;
   const BitsetGraph& graph_;
   std::span<const double> weights_;
-  ScaleRange scales_;
   Offer offer_;
   const Deadline& deadline_;
-  std::vector<Moments> moments_;  ///< of each correspondence, in units of its bound
+  JointFit joint_;
   double to_beat_ = 0;
 };
 

@@ -16,8 +16,6 @@
 namespace gmcr {
 namespace {
 
-constexpr double kLeastSeconds = 1e-3;  // a solver needs some time to say that it has none
-
 /// The correspondences that equal no earlier one, ascending.
 std::vector<Index> distinct_correspondences(const PointsRef& source, const PointsRef& target) {
   std::map<std::array<double, 6>, Index> first;
@@ -47,11 +45,13 @@ Options remaining_options(const Options& options, const BoundSearch& search,
   return remaining;
 }
 
-/// The answer where chance explains every consensus.
-Result no_consensus(const Options& options, Index count) {
+constexpr const char* kChance = "no noise bound makes the consensus better than chance";
+
+/// The answer where no consensus stands out.
+Result no_consensus(const Options& options, Index count, const std::string& reason) {
   Result result;
   result.status = Status::NoConsensus;
-  result.status_reason = "no noise bound makes the consensus better than chance";
+  result.status_reason = reason;
   result.certificate = certify(0, count, 0, static_cast<double>(count));
   result.diagnostics.num_correspondences = count;
   result.diagnostics.num_used = count;
@@ -65,8 +65,9 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
                                      const Options& options) {
   if (source.cols() < 3) return register_correspondences(source, target, with_bound(options, 1));
   const std::vector<Index> distinct = distinct_correspondences(source, target);
-  if (distinct.size() < 3) return no_consensus(options, source.cols());
-  if (!options.one_to_one) {
+  if (distinct.size() < 3) return no_consensus(options, source.cols(), kChance);
+  if (options.priors.empty()) {
+    // before any work; priors may leave fewer
     Diagnostics unused;
     SolveContext(options, unused).require_memory_for_graph(source.cols());
   }
@@ -78,10 +79,13 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
   const double search_seconds = deadline.elapsed();
 
   const NoiseEstimate estimate = search.estimate();
+  const bool ended_early = search.late() || search.cancelled();
   Result result =
       estimate.log10_false_alarms < 0
           ? register_correspondences(source, target, remaining_options(options, search, deadline))
-          : no_consensus(options, source.cols());
+          : no_consensus(
+                options, source.cols(),
+                ended_early ? "no noise bound was found before a limit ended the search" : kChance);
   result.noise_estimate = estimate;
   Diagnostics& diagnostics = result.diagnostics;
   diagnostics.stages.insert(diagnostics.stages.begin(), {"noise_bound", search_seconds});
@@ -89,6 +93,9 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
   diagnostics.num_clique_nodes += search.num_clique_nodes();
   if (search.late()) {
     diagnostics.limits_hit.push_back("the time budget ended the search for a noise bound");
+  }
+  if (search.cancelled()) {
+    diagnostics.limits_hit.push_back("the caller stopped the search for a noise bound");
   }
   return result;
 }

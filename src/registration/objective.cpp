@@ -52,8 +52,9 @@ Hypothesis Objective::judge(const Similarity& target_from_source) const {
   const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
   for (Index i = 0; i < squared.size(); ++i) {
     const double relative = squared[i] / squared_bounds_[i];
-    hypothesis.quadratic += std::min(relative, 1.0);
-    if (relative > 1) continue;
+    const bool is_inlier = relative <= 1;  // false also where it is not a number
+    hypothesis.quadratic += is_inlier ? relative : 1;
+    if (!is_inlier) continue;
     hypothesis.inliers.push_back(i);
     hypothesis.evidence += weight(i, target_from_source.scale);
   }

@@ -10,6 +10,8 @@
 
 namespace gmcr {
 
+constexpr Index kMinInliers = 3;  ///< that determine a pose
+
 /// A pose, between the centred frames, with all that the objective says of it.
 struct Hypothesis {
   Similarity target_from_source;

@@ -71,7 +71,9 @@ VotedBins vote(PoseSearch& search) {
   const ScaleBins bins(search.scales(), kBinRatio);
   ScaleVotes votes = vote(search, bins);
   if (search.context().stopped()) return {bins, std::move(votes), std::nullopt};
-  auto pairs = BinnedPairs::make(search.arrays(), bins, votes, kMaxListBytes);
+  auto pairs =
+      BinnedPairs::make(search.arrays(), bins, votes,
+                        std::min(kMaxListBytes, search.context().options().budget.memory / 4));
   return {bins, std::move(votes), std::move(pairs)};
 }
 

@@ -1,11 +1,22 @@
 #include "registration/tighten.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "registration/joint_search.hpp"
 
 namespace gmcr {
+namespace {
+
+constexpr const char* kEndedEarly = "the time budget ended the joint search before its proof";
+
+/// The value, or the whole number of inliers that it is to rounding or leaves below.
+double in_units(Measure measure, double value) {
+  return measure == Measure::Inliers ? std::floor(value + 1e-6) : value;
+}
+
+}  // namespace
 
 Deadline certify_deadline(PoseSearch& search, Measure measure) {
   if (!search.certifies()) return Deadline(0);
@@ -17,7 +28,10 @@ Deadline certify_deadline(PoseSearch& search, Measure measure) {
 
 double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound,
                const Deadline& deadline) {
-  if (deadline.expired()) return upper_bound;
+  if (deadline.expired()) {
+    if (search.certifies()) search.note_early_end(measure, kEndedEarly);
+    return upper_bound;
+  }
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
   if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
@@ -39,7 +53,7 @@ double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, dou
   const Deadline first_deadline(kFirstShare * deadline.remaining());
   bool first = true;
   for (const double part : kParts) {
-    const double target = std::max(search.to_beat(measure), lowest + part * gap);
+    const double target = std::max(search.to_beat(measure), in_units(measure, lowest + part * gap));
     if (!exceeds(upper_bound, target)) continue;
     if (deadline.expired() || search.context().stopped()) break;
     search.context().report("certify", 1 - part);
@@ -48,7 +62,11 @@ double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, dou
     upper_bound = std::min(upper_bound, joint.run(target));
     first = false;
   }
-  return std::max(upper_bound, search.to_beat(measure));
+  upper_bound = std::max(upper_bound, search.to_beat(measure));
+  if (exceeds(upper_bound, search.to_beat(measure)) && deadline.expired()) {
+    search.note_early_end(measure, kEndedEarly);
+  }
+  return upper_bound;
 }
 
 }  // namespace gmcr
