@@ -61,6 +61,7 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
           "the time budget ended the search for further instances");
       break;
     }
+    if (!found.empty() && static_cast<Index>(left.size()) < instances.min_inliers) break;
     Result result = register_correspondences(source(Eigen::all, left), target(Eigen::all, left),
                                              options_of(options, left, deadline.remaining()));
     const bool is_instance =

@@ -4,6 +4,7 @@
 #include "cli/tool.hpp"
 #include "gmcr/frontend.hpp"
 #include "gmcr/io.hpp"
+#include "gmcr/metrics.hpp"
 
 namespace gmcr {
 namespace {
@@ -110,6 +111,24 @@ TEST_F(Register, TakesPriorsAndHypotheses) {
   const auto elsewhere = test::run_tool(command() + "--initial-pose " + path("truth.txt") +
                                         " --max-translation-error 0.1 --refine none --json");
   EXPECT_LT(json::parse(elsewhere.out, nullptr, false).at("num_inliers"), result.at("num_inliers"));
+}
+
+TEST_F(Register, RefinesOnlyWithinThePriors) {
+  Similarity initial = truth_;
+  initial.rotation = Eigen::AngleAxisd(0.035, Eigen::Vector3d::UnitX()).matrix() * truth_.rotation;
+  write_transform(folder_ / "initial.txt", initial);
+  const auto run = test::run_tool(command() + "--initial-pose " + path("initial.txt") +
+                                  " --max-rotation-error 1 --json");
+  const json result = json::parse(run.out);
+  ASSERT_EQ(result.at("status"), "ok");
+  Eigen::Matrix3d rotation;
+  for (Index i = 0; i < 3; ++i) {
+    for (Index j = 0; j < 3; ++j) {
+      rotation(i, j) =
+          result.at("rotation").at(static_cast<std::size_t>(i)).at(static_cast<std::size_t>(j));
+    }
+  }
+  EXPECT_LE(rotation_error_deg(rotation, initial.rotation), 1 + 1e-6);
 }
 
 TEST_F(Register, MatchWritesWhatSolveReads) {

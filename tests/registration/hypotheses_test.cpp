@@ -187,5 +187,17 @@ TEST(Hypotheses, OfTooFewCorrespondencesAreNone) {
   }
 }
 
+TEST(Hypotheses, OfATriangleThatNoPoseHoldsAreNone) {
+  // the pairs agree, but the fit leaves each corner 1.15 bounds away
+  Points source(3, 3);
+  source << 0, 1, 0.5, 0, 0, std::sqrt(0.75), 0, 0, 0;
+  Options options;
+  options.noise_bound = 0.01;
+  options.num_hypotheses = 1'000'000'000;
+  const Result result = register_correspondences(source, 1.0199 * source, options);
+  EXPECT_TRUE(result.alternatives.empty());
+  EXPECT_LT(result.diagnostics.total_seconds, 10);
+}
+
 }  // namespace
 }  // namespace gmcr

@@ -208,5 +208,15 @@ TEST(RegisterInstances, ShareTheTime) {
   EXPECT_LT(wall.count(), 0.8);
 }
 
+TEST(RegisterInstances, EndsWhenAllMatchesAreUsedUp) {
+  const auto problem = testing::random_problem(5, 20, 0);
+  Options options = problem.options();
+  options.noise_bound = 0;
+  options.noise_bounds.assign(20, 0.01);
+  const std::vector<Result> found = register_instances(problem.source, problem.target, options);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_EQ(found.front().inliers.size(), 20);
+}
+
 }  // namespace
 }  // namespace gmcr

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include "problems.hpp"
 #include "registration/certificate.hpp"
 #include "registration/local_optimisation.hpp"
@@ -33,6 +36,26 @@ TEST(Objective, GivesCopiesOneVoteWhenTheEvidenceIsDistinct) {
   const Objective objective(c, Evidence::Distinct, kEnough);
   EXPECT_NEAR(objective.judge(problem.truth).evidence, 5, 1e-12);
   EXPECT_EQ(objective.judge(problem.truth).num_inliers(), 10);
+}
+
+TEST(Objective, TakesNoResidualThatIsNotANumberForAnInlier) {
+  const auto problem = testing::random_problem(2, 10, 0);
+  const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(10, 0.01)};
+  Similarity pose = problem.truth;
+  pose.translation.x() = std::nan("");
+  EXPECT_EQ(Objective(c, Evidence::Count, kEnough).judge(pose).num_inliers(), 0);
+}
+
+TEST(EvaluateConsensus, RefusesAPoseThatIsNone) {
+  const auto problem = testing::random_problem(2, 10, 0);
+  Similarity pose = problem.truth;
+  pose.scale = 0;
+  EXPECT_THROW(evaluate_consensus(pose, problem.source, problem.target, problem.options()),
+               std::invalid_argument);
+  pose.scale = std::nan("");
+  EXPECT_THROW(
+      evaluate_uncertainty(pose, problem.source, problem.target, {0, 1, 2}, problem.options()),
+      std::invalid_argument);
 }
 
 TEST(IsBetter, PrefersMoreEvidenceAndThenACloserFit) {

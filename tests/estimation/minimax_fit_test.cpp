@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -106,6 +107,22 @@ TEST(MinimaxFit, ProvesThatNoPoseHoldsAMirroredSet) {
   MinimaxFit fit(source, target, Eigen::ArrayXd::Constant(6, 0.01), PoseConstraints{{1, 1}});
   ASSERT_TRUE(fit.step());
   EXPECT_GT(fit.lower_bound(), 1);
+}
+
+TEST(MinimaxFit, NeverExcludesAnExactSetOfNearlyCollinearPoints) {
+  // a roll about the line that the closed form cannot see
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    testing::RandomGeometry random(seed);
+    Points source = random.in_cube(7);
+    source.row(0) *= 1000;
+    source.bottomRows<2>() *= 1e-3;
+    Similarity roll;
+    roll.rotation = Eigen::AngleAxisd(3, Eigen::Vector3d::UnitX()).matrix();
+    MinimaxFit fit(source, roll.apply(source), Eigen::ArrayXd::Constant(7, 1e-4),
+                   PoseConstraints{{1, 1}});
+    for (int step = 0; step < 30; ++step) fit.step();
+    EXPECT_LE(fit.lower_bound(), 1) << seed;
+  }
 }
 
 TEST(MinimaxFit, OfFewerThanThreePointsHasNoStep) {
