@@ -12,8 +12,7 @@ BranchAndBound::Outcome BranchAndBound::search(RowsView graph, Index to_beat,
   branches_.clear();
   first_branch_.clear();
   level_bound_.clear();
-  candidates_.assign(graph.words_per_row, 0);
-  for (Index v = 0; v < graph.num_vertices; ++v) set_bit(candidates_.data(), v);
+  candidates_.reset(graph);
 
   enter_level(graph.num_vertices);
   Index left_over = 0;
@@ -34,11 +33,11 @@ void BranchAndBound::enter_level(Index bound) {
   const Index level = static_cast<Index>(first_branch_.size());
   first_branch_.push_back(branches_.size());
   level_bound_.push_back(bound);
-  const bool is_clique = selector_.select(candidates(level), best_size_ - level, branches_);
+  const bool is_clique = selector_.select(candidates_.row(level), best_size_ - level, branches_);
   if (is_clique) {
     // The candidates complete the clique at once; no branch can do better.
     branches_.resize(first_branch_.back());
-    record_clique(candidates(level));
+    record_clique(candidates_.row(level));
   }
 }
 
@@ -51,18 +50,9 @@ void BranchAndBound::leave_level() {
 
 void BranchAndBound::visit_next_branch() {
   const Index level = static_cast<Index>(first_branch_.size()) - 1;
-  const Index words = graph_.words_per_row;
   const auto [v, bound] = branches_.back();
   branches_.pop_back();
-  if (static_cast<Index>(candidates_.size()) < (level + 2) * words) {
-    candidates_.resize(2 * (level + 2) * words);
-  }
-  Word* here = candidates(level);
-  Word* next = candidates(level + 1);
-  const Word* row = graph_.row(v);
-  clear_bit(here, v);
-  for (Index w = 0; w < words; ++w) next[w] = here[w] & row[w];
-  const Index num_candidates = count_bits(next, words);
+  const Index num_candidates = count_bits(candidates_.descend(level, v), graph_.words_per_row);
   if (level + 1 + num_candidates <= best_size_) return;
   chosen_.push_back(v);
   enter_level(std::min<Index>(bound - 1, num_candidates));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "clique/branch_selector.hpp"
+#include "clique/candidate_rows.hpp"
 #include "clique/search_budget.hpp"
 
 namespace gmcr {
@@ -32,14 +33,12 @@ class BranchAndBound {
   Index unfinished_bound() const;
   Index words_per_node() const { return graph_.num_vertices * graph_.words_per_row; }
 
-  Word* candidates(Index level) { return candidates_.data() + level * graph_.words_per_row; }
-
   RowsView graph_;
   BranchSelector selector_;
   Index best_size_ = 0;  // of the clique to beat
   std::vector<Index> best_;
-  std::vector<Index> chosen_;              // the vertex that leads from each level to the next
-  std::vector<Word> candidates_;           // one row a level
+  std::vector<Index> chosen_;  // the vertex that leads from each level to the next
+  CandidateRows candidates_;
   std::vector<Branch> branches_;           // of all levels, the deepest last
   std::vector<std::size_t> first_branch_;  // one a level
   std::vector<Index> level_bound_;         // on the cliques among the candidates of each level

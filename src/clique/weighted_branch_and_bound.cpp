@@ -18,8 +18,7 @@ WeightedBranchAndBound::Outcome WeightedBranchAndBound::search(RowsView graph,
   chosen_.clear();
   branches_.clear();
   levels_.clear();
-  candidates_.assign(graph.words_per_row, 0);
-  for (Index v = 0; v < graph.num_vertices; ++v) set_bit(candidates_.data(), v);
+  candidates_.reset(graph);
 
   enter_level(0, std::accumulate(units.begin(), units.end(), std::int64_t{0}));
   std::int64_t left_over = 0;
@@ -40,11 +39,11 @@ void WeightedBranchAndBound::enter_level(std::int64_t weight, std::int64_t bound
   const Index level = static_cast<Index>(levels_.size());
   levels_.push_back({branches_.size(), weight, bound});
   const bool is_clique =
-      coloring_.select(candidates(level), to_beat_ - weight, Splitting::Full, branches_);
+      coloring_.select(candidates_.row(level), to_beat_ - weight, Splitting::Full, branches_);
   if (is_clique) {
     // The candidates complete the clique at once; no branch can do better.
     branches_.resize(levels_.back().first_branch);
-    record_clique(candidates(level));
+    record_clique(candidates_.row(level));
   }
 }
 
@@ -56,24 +55,12 @@ void WeightedBranchAndBound::leave_level() {
 
 void WeightedBranchAndBound::visit_next_branch() {
   const Index level = static_cast<Index>(levels_.size()) - 1;
-  const Index words = graph_.words_per_row;
   const auto [v, branch_limit] = branches_.back();
   branches_.pop_back();
-  if (static_cast<Index>(candidates_.size()) < (level + 2) * words) {
-    candidates_.resize(2 * (level + 2) * words);
-  }
-  Word* here = candidates(level);
-  Word* next = candidates(level + 1);
-  const Word* row = graph_.row(v);
-  clear_bit(here, v);
+  const Word* next = candidates_.descend(level, v);
   const std::int64_t weight = levels_.back().weight + units_[v];
   std::int64_t reachable = weight;
-  for (Index w = 0; w < words; ++w) {
-    next[w] = here[w] & row[w];
-    for (Word rest = next[w]; rest != 0; rest &= rest - 1) {
-      reachable += units_[w * kBitsPerWord + std::countr_zero(rest)];
-    }
-  }
+  for_each_bit(next, graph_.words_per_row, [&](Index u) { reachable += units_[u]; });
   if (reachable <= to_beat_) return;
   chosen_.push_back(v);
   enter_level(weight, std::min(levels_.back().weight + branch_limit, reachable));

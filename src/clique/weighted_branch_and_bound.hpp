@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "clique/candidate_rows.hpp"
 #include "clique/fixed_point_weights.hpp"
 #include "clique/search_budget.hpp"
 #include "clique/weighted_coloring.hpp"
@@ -38,7 +39,6 @@ class WeightedBranchAndBound {
   std::int64_t branch_bound() const { return levels_.back().weight + branches_.back().bound; }
   std::int64_t unfinished_bound() const;
   Index words_per_node() const { return graph_.num_vertices * graph_.words_per_row; }
-  Word* candidates(Index level) { return candidates_.data() + level * graph_.words_per_row; }
 
   RowsView graph_;
   std::span<const std::int64_t> units_;
@@ -46,8 +46,8 @@ class WeightedBranchAndBound {
   WeightRounding rounding_;
   std::int64_t to_beat_ = 0;
   std::vector<Index> best_clique_;
-  std::vector<Index> chosen_;     // the vertex that leads from each level to the next
-  std::vector<Word> candidates_;  // one row a level
+  std::vector<Index> chosen_;  // the vertex that leads from each level to the next
+  CandidateRows candidates_;
   std::vector<Level> levels_;
   std::vector<WeightedBranch> branches_;  // of all levels, the deepest last
 };

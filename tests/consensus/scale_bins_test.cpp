@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "consensus/binned_pairs.hpp"
@@ -62,6 +63,34 @@ TEST(ScaleVotes, CountTheEdgesOfEachBinsGraph) {
     EXPECT_GE(pairs, edges);  // a bound: never fewer
     EXPECT_LE(pairs, edges + 1);
     EXPECT_NEAR(votes.evidence[static_cast<std::size_t>(bin)], static_cast<double>(pairs), 1e-6);
+  }
+}
+
+TEST(ScaleVotes, BoundTheEvidenceOfEachBinsGraphWhereWeightsGrowWithTheScale) {
+  testing::RandomGeometry random(3);
+  const Index n = 120;
+  Correspondences c{random.in_cube(n), random.in_cube(n, 1.0), Eigen::ArrayXd::Constant(n, 0.03)};
+  c.source.col(5) = c.source.col(4);  // agrees over many bins
+  const auto arrays = consistency_arrays(c, 50);
+  const ScaleBins bins({0.05, 50}, 1.05);
+  ASSERT_GT(bins.num_runs(), 3);
+  const auto weight = [&](Index i, Index run) {
+    return (1.0 + static_cast<double>(run)) / static_cast<double>(bins.num_runs() + i % 3);
+  };
+  const ScaleVotes votes = count_scale_votes(arrays, bins, weight, 1);
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    const BitsetGraph graph = consistency_graph(arrays, bins[bin], 1);
+    double evidence = 0, most = 0;
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < i; ++j) {
+        const double both = weight(i, bins.run_of(bin)) * weight(j, bins.run_of(bin));
+        if (graph.has_edge(i, j)) evidence += both;
+        most = std::max(most, both);
+      }
+    }
+    // never less, and no more than a pair that only touches the bin adds
+    EXPECT_GE(votes.evidence[static_cast<std::size_t>(bin)], evidence - 1e-9) << bin;
+    EXPECT_LE(votes.evidence[static_cast<std::size_t>(bin)], evidence + most + 1e-9) << bin;
   }
 }
 
