@@ -42,15 +42,24 @@ def comparison(records):
     methods = [method for method in methods_in(records) if method in COMPARED]
     if not methods:
         return ""
-    header = ["pair", "N", "true inliers"]
+    columns = {
+        "N": lambda group: group[0]["num_correspondences"],
+        "true inliers": lambda group: group[0]["num_true_inliers"],
+    }
+    return side_by_side(records, methods, columns)
+
+
+def side_by_side(records, methods, columns):
+    """Errors, inliers and time of each method, a row a pair, behind columns of what a pair's records say."""
+    header = ["pair", *columns]
     for method in methods:
         header += [f"{method}: errors", "inliers [lower, upper]", "ms"]
     rows = []
     for (pair,), group in group_by(records, "scenario").items():
-        row = [pair, group[0]["num_correspondences"], group[0]["num_true_inliers"]]
+        row = [pair, *(value(group) for value in columns.values())]
         for mine in by_method(group, methods):
-            for record in mine[:1]:
-                row += [errors_cell(record), inliers_cell(record), milliseconds(record.get("wall_ms"))]
+            record = mine[0] if mine else {"status": "not run"}
+            row += [errors_cell(record), inliers_cell(record), milliseconds(record.get("wall_ms"))]
         rows.append(row)
     return table(header, rows) + "\n"
 
@@ -96,22 +105,14 @@ def yes(value):
 
 def gravity(records):
     """The default with and without the direction of gravity."""
-    rows = []
-    for (pair,), group in group_by(records, "scenario").items():
-        plain, told = by_method(group, ["gmcr", "gmcr-gravity"])
-        if not plain or not told:
-            continue
-        row = [pair, number(told[0].get("true_tilt_deg"))]
-        for record in (plain[0], told[0]):
-            row += [errors_cell(record), inliers_cell(record), milliseconds(record.get("wall_ms"))]
-        rows.append(row)
-    if not rows:
+    tilts = {
+        record["scenario"]: record.get("true_tilt_deg") for record in records if record["method"] == "gmcr-gravity"
+    }
+    if not tilts:
         return ""
-    header = ["pair", "true tilt deg"]
-    for method in ("gmcr", "gmcr-gravity"):
-        header += [f"{method}: errors", "inliers [lower, upper]", "ms"]
-    text = "## With gravity known to 3 degrees\n\n"
-    return text + table(header, rows) + "\n"
+    mine = [record for record in records if record["scenario"] in tilts]
+    columns = {"true tilt deg": lambda group: number(tilts[group[0]["scenario"]])}
+    return "## With gravity known to 3 degrees\n\n" + side_by_side(mine, ["gmcr", "gmcr-gravity"], columns)
 
 
 def noise(records):
