@@ -19,6 +19,7 @@ struct CliqueOptions {
   /// Report only a clique with more vertices than this; 0 reports any. A search that proves that
   /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
   Index must_exceed = 0;
+  int num_threads = 0;  ///< 0 uses every core; the result is the same for any number
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;

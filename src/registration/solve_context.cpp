@@ -37,6 +37,7 @@ SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index mu
   clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
   clique_options.max_nodes = max_nodes;
   clique_options.must_exceed = must_exceed;
+  clique_options.num_threads = options_.num_threads;
   CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
                                               : gmcr::max_clique(graph, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;
