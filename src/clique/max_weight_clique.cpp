@@ -22,16 +22,15 @@ class Solver {
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
-        budget_(options.time_limit, options.max_nodes),
+        budget_(options.time_limit, options.max_nodes, options.max_work),
         upper_bound_(weights.total()) {}
 
   WeightedCliqueResult solve(std::span<const double> weights) {
     const bool asks_for_proof = incumbent_.to_beat() > 0;
     if (!settled()) offer_heaviest_vertex();
     // Most likely nothing exceeds a given weight: a bound may show it without any clique.
-    if (!settled()) bound_by_colors(vertices_with_weight());
     if (!settled()) peel_graph();
-    if (!settled()) bound_by_colors(peeling_.alive());
+    if (!settled()) bound_by_colors();
     if (!settled()) grow_cliques(asks_for_proof ? kNumGreedyStartsOfProof : kNumGreedyStarts);
     if (!settled()) search_survivors();
     WeightedCliqueResult result;
@@ -54,8 +53,7 @@ class Solver {
   }
 
   void peel_graph() {
-    peeling_.reset(graph_, weights_.units(), budget_);
-    lower_bound_to(peeling_.heaviest_neighborhood());
+    peeling_.reset(graph_, weights_.units(), incumbent_.to_beat(), budget_);
     peel();
   }
 
@@ -64,18 +62,10 @@ class Solver {
     lower_bound_to(std::max(incumbent_.to_beat(), peeling_.heaviest_neighborhood()));
   }
 
-  std::vector<Word> vertices_with_weight() const {
-    std::vector<Word> vertices(graph_.words_per_row, 0);
-    for (Index v = 0; v < graph_.num_vertices; ++v) {
-      if (weights_.units()[v] > 0) set_bit(vertices.data(), v);
-    }
-    return vertices;
-  }
-
-  void bound_by_colors(const std::vector<Word>& vertices) {
+  void bound_by_colors() {
     WeightedColoring coloring;
     coloring.reset(graph_, weights_.units(), budget_);
-    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(vertices.data())));
+    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(peeling_.alive().data())));
   }
 
   /// From the heaviest neighbourhoods that no clique so far covers.

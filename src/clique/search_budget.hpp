@@ -1,17 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "gmcr/types.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr {
 
-/// Time and search nodes that a clique search may still spend.
+/// Time, search nodes and work that a clique search may still spend.
 class SearchBudget {
  public:
-  SearchBudget(double time_limit, std::uint64_t max_nodes)
-      : deadline_(time_limit), max_nodes_(max_nodes) {}
+  static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  /// @param max_work  word operations; counted in steps of about 0.1 ms.
+  SearchBudget(double time_limit, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
+      : deadline_(time_limit), max_nodes_(max_nodes), max_work_(max_work) {}
 
   /// Takes one search node that costs about `num_words` word operations.
   /// @return false where the budget is spent; from then on always.
@@ -26,7 +30,9 @@ class SearchBudget {
   bool spend_work(Index num_words) {
     words_since_poll_ += num_words;
     if (words_since_poll_ >= kWordsPerPoll) {
+      work_ += static_cast<std::uint64_t>(words_since_poll_);
       words_since_poll_ = 0;
+      spent_ = spent_ || work_ >= max_work_;
       out_of_time();
     }
     return !spent_;
@@ -46,7 +52,9 @@ class SearchBudget {
 
   Deadline deadline_;
   std::uint64_t max_nodes_;
+  std::uint64_t max_work_;
   std::uint64_t nodes_ = 0;
+  std::uint64_t work_ = 0;
   Index words_since_poll_ = 0;
   bool spent_ = false;
 };

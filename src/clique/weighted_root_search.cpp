@@ -85,7 +85,7 @@ std::int64_t WeightedRootSearch::solve_subproblem(Index vertex, std::int64_t rea
 
 std::vector<Index> WeightedRootSearch::surviving_vertices(std::int64_t to_beat) {
   const RowsView nearby = neighborhood_.graph.view();
-  peeling_.reset(nearby, neighborhood_.units, budget_);
+  peeling_.reset(nearby, neighborhood_.units, to_beat, budget_);
   peeling_.peel(to_beat);
   std::vector<Index> order = best_first_order(nearby, budget_);
   std::erase_if(order, [&](Index v) { return !test_bit(peeling_.alive().data(), v); });

@@ -52,6 +52,9 @@ class PoseSearch {
 
   const std::optional<Hypothesis>& best() const { return best_; }
 
+  /// Correspondences within `factor` bounds of the best pose, ascending; none where there is none.
+  std::vector<Index> near_best(double factor) const;
+
   /// The most that any pose examined has, of inliers of which no two share a point where
   /// one-to-one is asked for; the best one may have fewer, of more distinct evidence.
   double to_beat(Measure measure) const {
@@ -108,9 +111,13 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
 /// The same from all pairs.
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 
-/// Offers greedy maximal cliques grown from the vertices of largest core number that no earlier one
-/// covers, where a clique could beat the best evidence.
+/// Offers greedy maximal cliques grown from the vertices of largest degree that neither an earlier
+/// one covers nor the best pose explains, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
+
+/// Offers greedy maximal cliques of the correspondences near the best pose, until none leads to a
+/// better one.
+void explore_around_best(PoseSearch& search, const RangeGraph& range);
 
 /// Searches the range's graph for a clique that measures more than what is to be beaten and offers
 /// it.

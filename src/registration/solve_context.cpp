@@ -5,6 +5,18 @@
 #include <utility>
 
 namespace gmcr {
+namespace {
+
+/// Word operations that the search for a clique of most evidence may take: what small graphs need,
+/// and no more than some passes over large ones.
+std::uint64_t max_work(const BitsetGraph& graph) {
+  constexpr std::uint64_t kLeast = std::uint64_t{1} << 22;
+  constexpr std::uint64_t kPasses = 4;
+  return kLeast + kPasses * static_cast<std::uint64_t>(graph.num_vertices()) *
+                      static_cast<std::uint64_t>(graph.words_per_row());
+}
+
+}  // namespace
 
 SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
     : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time) {}
@@ -52,6 +64,7 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
   WeightedCliqueOptions clique_options;
   clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
   clique_options.max_nodes = max_nodes;
+  clique_options.max_work = max_work(graph);
   clique_options.must_exceed = must_exceed;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;
