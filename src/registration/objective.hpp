@@ -48,6 +48,9 @@ class Objective {
   /// Whether some correspondence gives less evidence than 1 at some scale.
   bool is_weighted() const { return distinct_ && distinct_->has_partners(); }
 
+  /// Whether weights differ from scale to scale.
+  bool weights_depend_on_scale() const { return weights_.size() != correspondences_.size(); }
+
   /// Evidence that the given correspondences give together at a scale.
   double evidence_of(const std::vector<Index>& indices, double scale) const;
 
