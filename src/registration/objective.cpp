@@ -19,16 +19,16 @@ bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b) {
 }
 
 Objective::Objective(const Correspondences& correspondences, Evidence evidence,
-                     std::size_t max_bytes)
+                     std::size_t max_bytes, const ScaleRange& scales)
     : correspondences_(correspondences),
       source_(correspondences.source.transpose()),
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
-  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes);
-}
-
-double Objective::weight(Index i, double scale) const {
-  return distinct_ ? distinct_->weight(i, scale) : 1;
+  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes, scales);
+  if (is_weighted() && scales.min < scales.max) return;
+  weights_.setOnes(correspondences.size());
+  if (!is_weighted()) return;
+  for (Index i = 0; i < weights_.size(); ++i) weights_[i] = distinct_->weight(i, scales.min);
 }
 
 double Objective::evidence_of(const std::vector<Index>& indices, double scale) const {

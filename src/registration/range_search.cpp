@@ -12,6 +12,7 @@
 #include "kernels/bit_row.hpp"
 #include "parallel/parallel_for.hpp"
 #include "registration/local_optimisation.hpp"
+#include "registration/pattern_search.hpp"
 #include "registration/pose_from_clique.hpp"
 
 namespace gmcr {
@@ -94,8 +95,10 @@ PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
+  static const int kPatience = getenv("P_PAT") ? atoi(getenv("P_PAT")) : 10;
+  const Rival rival{best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
   std::optional<Hypothesis> pose =
-      pose_from_clique(context_, objective_, constraints_, clique, max_evidence_);
+      pose_from_clique(context_, objective_, constraints_, clique, rival);
   if (pose) consider(std::move(*pose));
 }
 
@@ -113,10 +116,15 @@ void PoseSearch::offer(const Similarity& pose) {
 }
 
 void PoseSearch::consider(Hypothesis pose) {
+  if (best_ && shares_most(pose.inliers, best_->inliers)) ++num_in_vain_;
   if (!reached_.insert(pose.inliers).second) return;
   // a rival is measured by what it can reach, as the best so far was
-  Hypothesis reached =
-      reach_for_more(objective_, constraints_, std::move(pose), best_ ? best_->evidence : 0);
+  const double to_exceed = best_ ? best_->evidence : 0;
+  static const double kClose = getenv("P_F") ? atof(getenv("P_F")) : 0.9;
+  Hypothesis reached = reach_for_more(objective_, constraints_, std::move(pose), to_exceed);
+  if (reached.evidence > kClose * to_exceed) {
+    reached = climb_by_motions(objective_, constraints_, std::move(reached));
+  }
   for (const Hypothesis& known : found_) {
     if (shares_most(known.inliers, reached.inliers)) return;
   }
@@ -124,7 +132,9 @@ void PoseSearch::consider(Hypothesis pose) {
   max_inliers_ = std::max(max_inliers_, static_cast<double>(members.size()));
   max_evidence_ =
       std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
-  if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
+  if (best_ && !is_better(reached, *best_)) return;
+  best_ = std::move(reached);
+  num_in_vain_ = 0;
 }
 
 std::vector<Index> PoseSearch::near_best(double factor) const {

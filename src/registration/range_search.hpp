@@ -91,6 +91,7 @@ class PoseSearch {
   kernels::CorrespondenceArrays arrays_;
   std::vector<Hypothesis> found_;
   std::optional<Hypothesis> best_;
+  int num_in_vain_ = 0;  ///< poses near the best one that were no better
   double max_inliers_ = 0;
   double max_evidence_ = 0;
   std::set<std::vector<Index>> examined_;  ///< cliques
