@@ -117,7 +117,7 @@ TEST(ConsistencyTiles, DecideEdgesOnTheBoundaryAsTheReferenceDoes) {
       EXPECT_TRUE(kernels::is_consistent(arrays, i, j, 1, 1));
     }
   }
-  EXPECT_GT(on_boundary, 1000);
+  EXPECT_GT(on_boundary, 500);
 }
 
 TEST(ConsistencyTiles, LoseNothingFarFromTheOrigin) {
