@@ -29,7 +29,11 @@ bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double 
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row, Index first_word = 0);
 
-/// The same, one pair after the other: the specification of `consistency_row`.
+/// One word of that row; the bit of `i` itself, if it is there, is left undefined.
+std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                               double scale_max, Index word);
+
+/// The row, one pair after the other: the specification of `consistency_row`.
 void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,
                                double scale_max, std::span<std::uint64_t> row);
 

@@ -35,13 +35,37 @@ struct PointTo {
   }
 };
 
-void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                       double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
+/// Lanes where sqrt(longer) <= sqrt(shorter) + e, with longer - shorter = difference.
+HWY_INLINE hn::Mask<Lanes> is_within(Vector difference, Vector shorter, Vector ee) {
+  const Vector over = hn::Sub(difference, ee);
+  const Vector room = hn::Mul(hn::Mul(hn::Set(Lanes(), 4), ee), shorter);
+  return hn::Or(hn::Le(over, hn::Zero(Lanes())), hn::Le(hn::Mul(over, over), room));
+}
+
+/// Lanes where points at squared distances a and b agree.
+template <bool kOneScale>
+HWY_INLINE hn::Mask<Lanes> agree(Vector a, Vector b, Vector ee, Vector min_squared,
+                                 Vector max_squared) {
+  const Vector longest = hn::Mul(max_squared, a);
+  if constexpr (kOneScale) {
+    // of the two tests below, the one whose difference is not negative
+    const Vector shorter = hn::IfThenElse(hn::Lt(b, longest), b, longest);
+    return is_within(hn::Abs(hn::Sub(b, longest)), shorter, ee);
+  } else {
+    const Vector shortest = hn::Mul(min_squared, a);
+    return hn::And(is_within(hn::Sub(b, longest), longest, ee),
+                   is_within(hn::Sub(shortest, b), b, ee));
+  }
+}
+
+template <bool kOneScale>
+HWY_INLINE void words(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                      double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
   const Lanes lanes;
   const auto step = static_cast<Index>(hn::Lanes(lanes));
   const PointTo source(arrays.source, i), target(arrays.target, i);
   const double* bounds = arrays.bounds.data();
-  const Vector bound = hn::Set(lanes, bounds[i]), zero = hn::Zero(lanes), four = hn::Set(lanes, 4);
+  const Vector bound = hn::Set(lanes, bounds[i]);
   const Vector max_squared = hn::Set(lanes, scale_max * scale_max);
   const Vector min_squared = hn::Set(lanes, scale_min * scale_min);
   for (Index word = first_word; word < num_words; ++word) {
@@ -50,19 +74,21 @@ void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale
       const Index j = word * 64 + k;
       const Vector a = source.squared_distances(j), b = target.squared_distances(j);
       const Vector e = hn::Add(bound, hn::LoadU(lanes, bounds + j));
-      const Vector ee = hn::Mul(e, e), four_ee = hn::Mul(four, ee);
-      const Vector longest = hn::Mul(max_squared, a), shortest = hn::Mul(min_squared, a);
-      const Vector over = hn::Sub(hn::Sub(b, longest), ee);
-      const Vector under = hn::Sub(hn::Sub(shortest, b), ee);
-      const auto not_too_long =
-          hn::Or(hn::Le(over, zero), hn::Le(hn::Mul(over, over), hn::Mul(four_ee, longest)));
-      const auto not_too_short =
-          hn::Or(hn::Le(under, zero), hn::Le(hn::Mul(under, under), hn::Mul(four_ee, b)));
+      const auto agrees = agree<kOneScale>(a, b, hn::Mul(e, e), min_squared, max_squared);
       HWY_ALIGN std::uint8_t mask[8] = {};
-      hn::StoreMaskBits(lanes, hn::And(not_too_long, not_too_short), mask);
+      hn::StoreMaskBits(lanes, agrees, mask);
       bits |= std::uint64_t{mask[0]} << k;
     }
-    row[word] = bits;
+    row[word - first_word] = bits;
+  }
+}
+
+void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                       double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
+  if (scale_min == scale_max) {
+    words<true>(arrays, i, scale_min, scale_max, first_word, num_words, row);
+  } else {
+    words<false>(arrays, i, scale_min, scale_max, first_word, num_words, row);
   }
 }
 
@@ -74,18 +100,35 @@ namespace gmcr::kernels {
 
 HWY_EXPORT(consistency_words);
 
+namespace {
+
+std::uint64_t last_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                        double scale_max) {
+  std::uint64_t bits = 0;
+  for (Index j = arrays.size() / 64 * 64; j < arrays.size(); ++j) {
+    const bool consistent = is_consistent(arrays, i, j, scale_min, scale_max);
+    bits |= std::uint64_t{consistent} << (j % 64);
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                               double scale_max, Index word) {
+  if (word == arrays.size() / 64) return last_word(arrays, i, scale_min, scale_max);
+  std::uint64_t bits = 0;
+  HWY_DYNAMIC_DISPATCH(consistency_words)(arrays, i, scale_min, scale_max, word, word + 1, &bits);
+  return bits;
+}
+
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row, Index first_word) {
   const Index num_full_words = arrays.size() / 64;
   HWY_DYNAMIC_DISPATCH(consistency_words)
-  (arrays, i, scale_min, scale_max, first_word, num_full_words, row.data());
+  (arrays, i, scale_min, scale_max, first_word, num_full_words, row.data() + first_word);
   if (num_full_words < static_cast<Index>(row.size())) {
-    std::uint64_t bits = 0;
-    for (Index j = num_full_words * 64; j < arrays.size(); ++j) {
-      const bool consistent = is_consistent(arrays, i, j, scale_min, scale_max);
-      bits |= std::uint64_t{consistent} << (j % 64);
-    }
-    row[static_cast<std::size_t>(num_full_words)] = bits;
+    row[static_cast<std::size_t>(num_full_words)] = last_word(arrays, i, scale_min, scale_max);
   }
   row[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64));
 }
