@@ -1,0 +1,109 @@
+#include "consensus/binned_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "consensus/consistency_graph.hpp"
+#include "random_geometry.hpp"
+
+namespace gmcr {
+namespace {
+
+constexpr std::size_t kManyBytes = std::size_t{1} << 30;
+
+struct Problem {
+  kernels::CorrespondenceArrays arrays;
+  ScaleBins bins{{0.05, 20}, 1.2};
+  ScaleVotes votes;
+
+  explicit Problem(Index n, double bound = 0.02) {
+    testing::RandomGeometry random(4);
+    const Points source = random.in_cube(n), target = random.in_cube(n, 1.0);
+    arrays = consistency_arrays({source, target, Eigen::ArrayXd::Constant(n, bound)}, 20);
+    votes = count_scale_votes(arrays, bins, RunWeights(n), kManyBytes, 1);
+  }
+
+  BinnedPairs list(const std::vector<Index>& wanted, std::size_t max_bytes = kManyBytes,
+                   int num_threads = 1) const {
+    return {arrays, bins, votes, wanted, max_bytes, num_threads};
+  }
+  BitsetGraph graph(const BinnedPairs& listed, Index bin, int num_threads = 1) const {
+    return listed.graph(arrays, bin, bins[bin], num_threads);
+  }
+};
+
+void expect_equal(const BitsetGraph& a, const BitsetGraph& b) {
+  ASSERT_EQ(a.num_vertices(), b.num_vertices());
+  for (Index v = 0; v < a.num_vertices(); ++v) {
+    EXPECT_TRUE(std::equal(a.row(v).begin(), a.row(v).end(), b.row(v).begin())) << v;
+  }
+}
+
+TEST(BinnedPairs, GiveTheGraphOfEachBin) {
+  for (const Index n : {3, 63, 64, 65, 130}) {
+    const Problem problem(n);
+    std::vector<Index> all(static_cast<std::size_t>(problem.bins.size()));
+    std::iota(all.begin(), all.end(), Index{0});
+    const BinnedPairs pairs = problem.list(all);
+    for (const Index bin : all) {
+      ASSERT_TRUE(pairs.contains(bin));
+      const BitsetGraph listed = problem.graph(pairs, bin);
+      const BitsetGraph from_all = consistency_graph(problem.arrays, problem.bins[bin], 1);
+      EXPECT_EQ(listed.num_edges(), problem.votes.pairs[static_cast<std::size_t>(bin)]);
+      for (Index i = 0; i < n; ++i) {
+        for (Index j = 0; j < n; ++j) {
+          EXPECT_LE(from_all.has_edge(i, j), listed.has_edge(i, j));
+          EXPECT_EQ(listed.has_edge(i, j), listed.has_edge(j, i));
+        }
+      }
+    }
+  }
+}
+
+TEST(BinnedPairs, GiveTheGraphOfAPartOfABin) {
+  const Problem problem(130);
+  const Index bin = 12;
+  const ScaleRange whole = problem.bins[bin];
+  const ScaleRange part{whole.min * 1.05, whole.min * 1.06};
+  const BinnedPairs pairs = problem.list({bin});
+  expect_equal(pairs.graph(problem.arrays, bin, part, 1),
+               consistency_graph(problem.arrays, part, 1));
+}
+
+TEST(BinnedPairs, ListTheFirstBinsWantedThatFit) {
+  const Problem problem(100);
+  const std::size_t bytes =
+      4 * static_cast<std::size_t>(problem.votes.pairs[14] + problem.votes.pairs[3]);
+  const BinnedPairs both = problem.list({14, 3, 10}, bytes);
+  EXPECT_TRUE(both.contains(14) && both.contains(3));
+  EXPECT_FALSE(both.contains(10) || both.contains(2) || both.contains(4));
+  expect_equal(problem.graph(both, 14), problem.graph(problem.list({14}), 14));
+  const BinnedPairs one = problem.list({14, 3, 10}, bytes - 1);
+  EXPECT_TRUE(one.contains(14));
+  EXPECT_FALSE(one.contains(3) || one.contains(10));
+}
+
+TEST(BinnedPairs, AreTheSameForAnyNumberOfThreads) {
+  const Problem problem(700, 0.3);  // large enough for threads in all steps
+  const Index bin = 14;
+  ASSERT_GT(problem.votes.pairs[14], 100'000);
+  const BinnedPairs one = problem.list({bin, 15}), four = problem.list({bin, 15}, kManyBytes, 4);
+  expect_equal(problem.graph(one, bin), problem.graph(four, bin, 4));
+}
+
+TEST(BinnedPairs, ListNoneWhereTimeIsUp) {
+  const Problem problem(50);
+  const std::vector<Index> wanted{3};
+  const BinnedPairs late(problem.arrays, problem.bins, problem.votes, wanted, kManyBytes, 1,
+                         Deadline(0));
+  EXPECT_FALSE(late.contains(3));
+  ScaleVotes no_votes = problem.votes;
+  no_votes.pairs_of_chunks.clear();
+  EXPECT_FALSE(
+      BinnedPairs(problem.arrays, problem.bins, no_votes, wanted, kManyBytes, 1).contains(3));
+  EXPECT_FALSE(BinnedPairs().contains(3));
+}
+
+}  // namespace
+}  // namespace gmcr
