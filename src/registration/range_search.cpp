@@ -28,7 +28,7 @@ constexpr double kLeastPart = 0.5;
 constexpr Index kMaxBounded = 8;
 /// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
 constexpr double kNearby = 2;
-constexpr Index kMaxNearby = 1024;
+constexpr Index kMaxNearby = 512;
 constexpr Index kMaxStartsNearby = 8;
 constexpr std::uint64_t kMaxNodesNearby = 200;
 
@@ -78,6 +78,33 @@ std::vector<Index> by_descending(const std::vector<Index>& values) {
     return values[static_cast<std::size_t>(a)] > values[static_cast<std::size_t>(b)];
   });
   return order;
+}
+
+/// The heaviest clique among some vertices, as far as a short search finds it, and greedy ones from
+/// those of largest degree.
+std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
+                                              const std::vector<Index>& vertices) {
+  const StageTimer timer(search.context(), "clique");
+  const BitsetGraph graph = induced_subgraph(range.graph, vertices);
+  const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
+  std::vector<double> weights;
+  for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
+  std::vector<std::vector<Index>> cliques{
+      search.context()
+          .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
+          .vertices};
+  const std::vector<Index> degree = degrees(graph, 1);
+  std::vector<bool> covered(vertices.size(), false);
+  for (const Index v : by_descending(degree)) {
+    if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
+    if (covered[static_cast<std::size_t>(v)]) continue;
+    cliques.push_back(greedy_clique_by_candidates(graph, v, degree, kMaxCandidates));
+    for (const Index u : cliques.back()) covered[static_cast<std::size_t>(u)] = true;
+  }
+  for (std::vector<Index>& clique : cliques) {
+    for (Index& v : clique) v = vertices[static_cast<std::size_t>(v)];
+  }
+  return cliques;
 }
 
 }  // namespace
@@ -230,26 +257,9 @@ void explore_around_best(PoseSearch& search, const RangeGraph& range) {
     before = search.to_beat(Measure::Evidence);
     const std::vector<Index> near = search.near_best(kNearby);
     if (static_cast<Index>(near.size()) > kMaxNearby) return;
-    const auto offer = [&](std::vector<Index> clique) {
-      for (Index& v : clique) v = near[static_cast<std::size_t>(v)];
+    for (const std::vector<Index>& clique : cliques_among(search, range, near)) {
+      if (search.context().stopped()) return;
       search.offer(clique);
-    };
-    const BitsetGraph graph = induced_subgraph(range.graph, near);
-    const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
-    std::vector<double> weights;
-    for (const Index v : near) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
-    offer(search.context().max_weight_clique(graph, weights, before, kMaxNodesNearby).vertices);
-    const std::vector<Index> degree = degrees(graph, 1);
-    std::vector<bool> covered(near.size(), false);
-    Index num_starts = 0;
-    for (const Index v : by_descending(degree)) {
-      if (num_starts == kMaxStartsNearby || search.context().stopped()) return;
-      if (covered[static_cast<std::size_t>(v)]) continue;
-      ++num_starts;
-      const std::vector<Index> clique =
-          greedy_clique_by_candidates(graph, v, degree, kMaxCandidates);
-      for (const Index u : clique) covered[static_cast<std::size_t>(u)] = true;
-      offer(clique);
     }
   }
 }
