@@ -91,17 +91,12 @@ class Solver {
 
   /// Branch and bound on what is left.
   void search_survivors() {
-    std::vector<Index> survivors;
-    for_each_bit(peeling_.alive().data(), graph_.words_per_row,
-                 [&](Index v) { survivors.push_back(v); });
-    OrderedPart unordered, part;
-    if (!unordered.assign(graph_, weights_.units(), survivors, budget_)) return;
-    std::vector<Index> order = best_first_order(unordered.graph.view(), budget_);
-    for (Index& v : order) v = survivors[v];
+    std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);
     for (const Index v : incumbent_.clique()) known[v] = 1;
     std::stable_partition(order.begin(), order.end(), [&](Index v) { return known[v]; });
+    OrderedPart part;
     if (!part.assign(graph_, weights_.units(), order, budget_)) return;
     lower_bound_to(WeightedRootSearch(part, incumbent_, budget_).run());
   }

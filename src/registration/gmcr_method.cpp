@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
-constexpr std::uint64_t kMaxWeightedNodes = 100;
+constexpr std::uint64_t kMaxWeightedNodes = 300;
 
 /// Search in the one consistency graph of a known scale.
 UpperBounds search_known_scale(PoseSearch& search) {
