@@ -15,7 +15,11 @@ namespace {
 class Climb {
  public:
   Climb(const NearSet& near, const PoseConstraints& constraints, const Similarity& start)
-      : near_(near), constraints_(constraints) { move_to(start); best_ = start; best_score_ = score_; }
+      : near_(near), constraints_(constraints) {
+    move_to(start);
+    best_ = start;
+    best_score_ = score_;
+  }
 
   const Similarity& best() const { return best_; }
   std::vector<Index> inliers() const { return near_.within(squares_, 1); }
@@ -64,8 +68,8 @@ bool is_more(double evidence, double than) { return evidence > than * (1 + 1e-12
 /// Minimax fits over given correspondences, and the most evidence that they met.
 class Reach {
  public:
-  Reach(const Objective& objective, const PoseConstraints& constraints,
-        std::vector<Index> indices, Hypothesis best)
+  Reach(const Objective& objective, const PoseConstraints& constraints, std::vector<Index> indices,
+        Hypothesis best)
       : objective_(objective),
         indices_(std::move(indices)),
         best_(std::move(best)),

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,7 +17,7 @@ using Motion = Eigen::Matrix<double, 7, 1>;
 
 /// Along each axis and askew.
 std::vector<Motion> directions(bool with_scale) {
-  static const int kNumAskew = getenv("P_ASKEW") ? atoi(getenv("P_ASKEW")) : 18;
+  constexpr int kNumAskew = 18;
   const Index dimension = with_scale ? 7 : 6;
   std::vector<Motion> all;
   for (Index axis = 0; axis < dimension; ++axis) all.push_back(Motion::Unit(axis));
@@ -53,11 +52,11 @@ class PatternSearch {
   }
 
   const Similarity& run() {
-    static const double kPasses = getenv("P_PASSES") ? atof(getenv("P_PASSES")) : 1000;
-    const double max_points = 300;
+    constexpr int kMaxPasses = 1000;
+    constexpr double kMaxVisits = 3e5;  // of correspondences
     if (!(radius_ > 0)) return pose_;
-    const double share = std::min(1.0, max_points / static_cast<double>(near_.indices().size()));
-    int passes = static_cast<int>(share * kPasses);
+    int passes = static_cast<int>(
+        std::min<double>(kMaxPasses, kMaxVisits / static_cast<double>(near_.indices().size())));
     const std::vector<Motion> all = directions(constraints_.scales.min < constraints_.scales.max);
     for (const double step : {0.4, 0.2, 0.1, 0.05, 0.025}) {
       bool moved = true;
@@ -81,8 +80,7 @@ class PatternSearch {
     const double angle = turn.norm();
     Similarity moved = pose_;
     if (angle > 0) {
-      const Eigen::Matrix3d rotation =
-          Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
       moved.rotation = rotation * pose_.rotation;
       moved.translation = rotation * (pose_.translation - centre_) + centre_;
     }
