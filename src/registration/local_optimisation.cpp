@@ -137,7 +137,7 @@ std::optional<Hypothesis> optimise_locally(const Objective& objective,
     if (round > 0) {
       climb.settle();
     } else if (climb.step(2) && is_more(climb.evidence_within(1.5), rival.evidence())) {
-      if (rival.settled && shares_most(climb.inliers(), rival.best->inliers)) return std::nullopt;
+      if (rival.settled && rival.is_near(climb.inliers())) return std::nullopt;
       if (climb.step(1.5)) climb.settle();
     }
     Hypothesis next = objective.judge(climb.best());

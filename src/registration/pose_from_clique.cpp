@@ -81,7 +81,7 @@ std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objectiv
     return best;
   }
   // a clique around the best pose so far has no part worth the stages
-  if (rival.best && shares_most(best->inliers, rival.best->inliers)) return best;
+  if (rival.is_near(best->inliers)) return best;
   best = hold_all(objective, constraints, clique, std::move(*best));
   if (holds_all()) return best;
   const auto staged = staged_pose(context, c, constraints, clique);
