@@ -17,7 +17,7 @@ using Motion = Eigen::Matrix<double, 7, 1>;
 
 /// Along each axis and askew.
 std::vector<Motion> directions(bool with_scale) {
-  constexpr int kNumAskew = 18;
+  constexpr int kNumAskew = 4;
   const Index dimension = with_scale ? 7 : 6;
   std::vector<Motion> all;
   for (Index axis = 0; axis < dimension; ++axis) all.push_back(Motion::Unit(axis));
@@ -110,7 +110,7 @@ class PatternSearch {
 
 Hypothesis climb_by_motions(const Objective& objective, const PoseConstraints& constraints,
                             Hypothesis best) {
-  constexpr double kNear = 2;
+  constexpr double kNear = 1.6;
   if (best.num_inliers() < kMinInliers || !constraints.priors.empty()) return best;
   const NearSet near(objective, best.target_from_source, kNear);
   PatternSearch search(near, constraints, best);
