@@ -33,6 +33,7 @@ std::vector<Motion> directions(bool with_scale) {
   return all;
 }
 
+/// Follows the best score among motions about the centroid of the inliers.
 class PatternSearch {
  public:
   PatternSearch(const NearSet& near, const PoseConstraints& constraints, const Hypothesis& start)
@@ -76,26 +77,29 @@ class PatternSearch {
  private:
   /// Tries a motion and keeps it where it is better.
   bool moves(const Motion& motion) {
-    const Eigen::Vector3d turn = motion.head<3>() * (bound_ / radius_);
-    const double angle = turn.norm();
-    Similarity moved = pose_;
-    if (angle > 0) {
-      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-      moved.rotation = rotation * pose_.rotation;
-      moved.translation = rotation * (pose_.translation - centre_) + centre_;
-    }
-    moved.translation += bound_ * motion.segment<3>(3);
-    if (motion[6] != 0) {
-      const double scale = std::clamp(pose_.scale * (1 + motion[6] * bound_ / radius_),
-                                      constraints_.scales.min, constraints_.scales.max);
-      moved.translation = (moved.translation - centre_) * (scale / pose_.scale) + centre_;
-      moved.scale = scale;
-    }
-    const Score score = near_.score(near_.relative_squares(moved), moved.scale);
+    const Similarity next = moved(motion);
+    const Score score = near_.score(near_.relative_squares(next), next.scale);
     if (!score.is_better_than(score_)) return false;
-    pose_ = moved;
+    pose_ = next;
     score_ = score;
     return true;
+  }
+
+  /// The pose turned, shifted and scaled about the centre.
+  Similarity moved(const Motion& motion) const {
+    const Eigen::Vector3d half = motion.head<3>() * (bound_ / radius_ / 2);
+    // a small turn without sines, whose last bit differs from machine to machine
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
+    Similarity next = pose_;
+    if (motion[6] != 0) {
+      next.scale = std::clamp(pose_.scale * (1 + motion[6] * bound_ / radius_),
+                              constraints_.scales.min, constraints_.scales.max);
+    }
+    next.rotation = turn * pose_.rotation;
+    next.translation = (next.scale / pose_.scale) * (turn * (pose_.translation - centre_)) +
+                       centre_ + bound_ * motion.segment<3>(3);
+    return next;
   }
 
   const NearSet& near_;
