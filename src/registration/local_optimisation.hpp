@@ -15,11 +15,13 @@ struct Rival {
 
   double evidence() const { return best ? best->evidence : 0; }
 
-  /// Whether a consensus set is of a pose near it. Sets of little evidence share most of it by
-  /// chance: nothing is near them.
+  /// Whether a consensus set is of a pose near it. Small sets, and those of little evidence, share
+  /// most of it by chance: nothing is near them.
   bool is_near(const std::vector<Index>& inliers) const {
+    constexpr Index kMinMembers = 15;
     constexpr double kMinEvidence = 6;
-    return best && best->evidence >= kMinEvidence && shares_most(inliers, best->inliers);
+    return best && best->num_inliers() >= kMinMembers && best->evidence >= kMinEvidence &&
+           shares_most(inliers, best->inliers);
   }
 };
 

@@ -56,15 +56,19 @@ TEST(OptimiseLocally, LeavesTheSurroundingsOfASettledRivalAlone) {
   EXPECT_TRUE(optimise_locally(objective, {1, 1}, problem.truth, {&rival, true}));
 }
 
-TEST(Rival, OfLittleEvidenceHasNothingNear) {
+TEST(Rival, OfFewMembersOrLittleEvidenceHasNothingNear) {
   Hypothesis best;
-  best.inliers = {1, 2, 3, 4};
+  for (Index i = 0; i < 20; ++i) best.inliers.push_back(i);
+  best.evidence = 20;
+  const std::vector<Index> half{1, 2, 3, 24, 25, 26}, most{1, 2, 3, 4, 25, 26};
+  EXPECT_TRUE((Rival{&best, true}.is_near(most)));
+  EXPECT_FALSE((Rival{&best, true}.is_near(half)));
   best.evidence = 4;
-  EXPECT_FALSE((Rival{&best, true}.is_near({1, 2, 3, 4})));
-  best.evidence = 40;
-  EXPECT_TRUE((Rival{&best, true}.is_near({1, 2, 3, 4})));
-  EXPECT_FALSE((Rival{&best, true}.is_near({1, 2, 5, 6})));
-  EXPECT_FALSE((Rival{}.is_near({1, 2, 3, 4})));
+  EXPECT_FALSE((Rival{&best, true}.is_near(most)));
+  best.evidence = 8;
+  best.inliers.resize(8);
+  EXPECT_FALSE((Rival{&best, true}.is_near(most)));
+  EXPECT_FALSE((Rival{}.is_near(most)));
 }
 
 }  // namespace
