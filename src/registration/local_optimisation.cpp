@@ -15,7 +15,11 @@ namespace {
 class Climb {
  public:
   Climb(const NearSet& near, const PoseConstraints& constraints, const Similarity& start)
-      : near_(near), constraints_(constraints) { move_to(start); best_ = start; best_score_ = score_; }
+      : near_(near), constraints_(constraints) {
+    move_to(start);
+    best_ = start;
+    best_score_ = score_;
+  }
 
   const Similarity& best() const { return best_; }
   std::vector<Index> inliers() const { return near_.within(squares_, 1); }
@@ -64,8 +68,8 @@ bool is_more(double evidence, double than) { return evidence > than * (1 + 1e-12
 /// Minimax fits over given correspondences, and the most evidence that they met.
 class Reach {
  public:
-  Reach(const Objective& objective, const PoseConstraints& constraints,
-        std::vector<Index> indices, Hypothesis best)
+  Reach(const Objective& objective, const PoseConstraints& constraints, std::vector<Index> indices,
+        Hypothesis best)
       : objective_(objective),
         indices_(std::move(indices)),
         best_(std::move(best)),
@@ -133,7 +137,7 @@ std::optional<Hypothesis> optimise_locally(const Objective& objective,
     if (round > 0) {
       climb.settle();
     } else if (climb.step(2) && is_more(climb.evidence_within(1.5), rival.evidence())) {
-      if (rival.settled && shares_most(climb.inliers(), rival.best->inliers)) return std::nullopt;
+      if (rival.settled && rival.is_near(climb.inliers())) return std::nullopt;
       if (climb.step(1.5)) climb.settle();
     }
     Hypothesis next = objective.judge(climb.best());

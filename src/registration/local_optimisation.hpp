@@ -14,6 +14,15 @@ struct Rival {
   bool settled = false;              ///< many poses near it were no better: no more are tried
 
   double evidence() const { return best ? best->evidence : 0; }
+
+  /// Whether a consensus set is of a pose near it. Small sets, and those of little evidence, share
+  /// most of it by chance: nothing is near them.
+  bool is_near(const std::vector<Index>& inliers) const {
+    constexpr Index kMinMembers = 15;
+    constexpr double kMinEvidence = 6;
+    return best && best->num_inliers() >= kMinMembers && best->evidence >= kMinEvidence &&
+           shares_most(inliers, best->inliers);
+  }
 };
 
 /// Best pose met while fitting to the consensus set of the pose, again and again: within 2 eps, 1.5

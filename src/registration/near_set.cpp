@@ -28,8 +28,7 @@ NearSet::NearSet(const Objective& objective, const Similarity& pose, double fact
       indices_(objective.within(pose, factor)),
       source_(objective.correspondences().source(Eigen::all, indices_).transpose()),
       target_(objective.correspondences().target(Eigen::all, indices_).transpose()),
-      inverse_squared_bounds_(
-          objective.correspondences().bounds(indices_).square().inverse()) {
+      inverse_squared_bounds_(objective.correspondences().bounds(indices_).square().inverse()) {
   if (objective.weights_depend_on_scale()) return;
   weights_.resize(static_cast<Index>(indices_.size()));
   for (Index k = 0; k < weights_.size(); ++k) {
@@ -45,8 +44,8 @@ std::optional<Similarity> NearSet::fit(const Eigen::ArrayXd& relative_squares, d
                                        const PoseConstraints& constraints) const {
   const auto chosen = relative_squares <= factor * factor;
   if (chosen.count() < kMinInliers) return std::nullopt;
-  return fit_pose(
-      measure_moments(source_, target_, chosen.select(inverse_squared_bounds_, 0.0)), constraints);
+  return fit_pose(measure_moments(source_, target_, chosen.select(inverse_squared_bounds_, 0.0)),
+                  constraints);
 }
 
 std::vector<Index> NearSet::within(const Eigen::ArrayXd& relative_squares, double factor) const {
@@ -70,13 +69,16 @@ double NearSet::evidence(const Eigen::ArrayXd& relative_squares, double factor,
     }
     return evidence;
   }
-  return sum_in_lanes(count, [&](Index k) { return relative_squares[k] <= limit ? weights_[k] : 0; });
+  return sum_in_lanes(count, [&](Index k) {
+    const double weight = weights_[k];  // read in any case: no branch
+    return relative_squares[k] <= limit ? weight : 0;
+  });
 }
 
 Score NearSet::score(const Eigen::ArrayXd& relative_squares, double scale) const {
-  return {evidence(relative_squares, 1, scale),
-          sum_in_lanes(relative_squares.size(),
-                       [&](Index k) { return relative_squares[k] < 1 ? relative_squares[k] : 1; })};
+  return {evidence(relative_squares, 1, scale), sum_in_lanes(relative_squares.size(), [&](Index k) {
+            return relative_squares[k] < 1 ? relative_squares[k] : 1;
+          })};
 }
 
 }  // namespace gmcr

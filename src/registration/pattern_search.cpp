@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,7 +17,7 @@ using Motion = Eigen::Matrix<double, 7, 1>;
 
 /// Along each axis and askew.
 std::vector<Motion> directions(bool with_scale) {
-  static const int kNumAskew = getenv("P_ASKEW") ? atoi(getenv("P_ASKEW")) : 18;
+  constexpr int kNumAskew = 4;
   const Index dimension = with_scale ? 7 : 6;
   std::vector<Motion> all;
   for (Index axis = 0; axis < dimension; ++axis) all.push_back(Motion::Unit(axis));
@@ -34,6 +33,7 @@ std::vector<Motion> directions(bool with_scale) {
   return all;
 }
 
+/// Follows the best score among motions about the centroid of the inliers.
 class PatternSearch {
  public:
   PatternSearch(const NearSet& near, const PoseConstraints& constraints, const Hypothesis& start)
@@ -53,11 +53,11 @@ class PatternSearch {
   }
 
   const Similarity& run() {
-    static const double kPasses = getenv("P_PASSES") ? atof(getenv("P_PASSES")) : 1000;
-    const double max_points = 300;
+    constexpr int kMaxPasses = 1000;
+    constexpr double kMaxVisits = 3e5;  // of correspondences
     if (!(radius_ > 0)) return pose_;
-    const double share = std::min(1.0, max_points / static_cast<double>(near_.indices().size()));
-    int passes = static_cast<int>(share * kPasses);
+    int passes = static_cast<int>(
+        std::min<double>(kMaxPasses, kMaxVisits / static_cast<double>(near_.indices().size())));
     const std::vector<Motion> all = directions(constraints_.scales.min < constraints_.scales.max);
     for (const double step : {0.4, 0.2, 0.1, 0.05, 0.025}) {
       bool moved = true;
@@ -77,27 +77,29 @@ class PatternSearch {
  private:
   /// Tries a motion and keeps it where it is better.
   bool moves(const Motion& motion) {
-    const Eigen::Vector3d turn = motion.head<3>() * (bound_ / radius_);
-    const double angle = turn.norm();
-    Similarity moved = pose_;
-    if (angle > 0) {
-      const Eigen::Matrix3d rotation =
-          Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-      moved.rotation = rotation * pose_.rotation;
-      moved.translation = rotation * (pose_.translation - centre_) + centre_;
-    }
-    moved.translation += bound_ * motion.segment<3>(3);
-    if (motion[6] != 0) {
-      const double scale = std::clamp(pose_.scale * (1 + motion[6] * bound_ / radius_),
-                                      constraints_.scales.min, constraints_.scales.max);
-      moved.translation = (moved.translation - centre_) * (scale / pose_.scale) + centre_;
-      moved.scale = scale;
-    }
-    const Score score = near_.score(near_.relative_squares(moved), moved.scale);
+    const Similarity next = moved(motion);
+    const Score score = near_.score(near_.relative_squares(next), next.scale);
     if (!score.is_better_than(score_)) return false;
-    pose_ = moved;
+    pose_ = next;
     score_ = score;
     return true;
+  }
+
+  /// The pose turned, shifted and scaled about the centre.
+  Similarity moved(const Motion& motion) const {
+    const Eigen::Vector3d half = motion.head<3>() * (bound_ / radius_ / 2);
+    // a small turn without sines, whose last bit differs from machine to machine
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
+    Similarity next = pose_;
+    if (motion[6] != 0) {
+      next.scale = std::clamp(pose_.scale * (1 + motion[6] * bound_ / radius_),
+                              constraints_.scales.min, constraints_.scales.max);
+    }
+    next.rotation = turn * pose_.rotation;
+    next.translation = (next.scale / pose_.scale) * (turn * (pose_.translation - centre_)) +
+                       centre_ + bound_ * motion.segment<3>(3);
+    return next;
   }
 
   const NearSet& near_;
@@ -112,7 +114,7 @@ class PatternSearch {
 
 Hypothesis climb_by_motions(const Objective& objective, const PoseConstraints& constraints,
                             Hypothesis best) {
-  constexpr double kNear = 2;
+  constexpr double kNear = 1.6;
   if (best.num_inliers() < kMinInliers || !constraints.priors.empty()) return best;
   const NearSet near(objective, best.target_from_source, kNear);
   PatternSearch search(near, constraints, best);

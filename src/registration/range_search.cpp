@@ -122,10 +122,8 @@ PoseSearch::PoseSearch(SolveContext& context, const Objective& objective,
 void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
-  static const int kPatience = getenv("P_PAT") ? atoi(getenv("P_PAT")) : 10;
-  const Rival rival{best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
   std::optional<Hypothesis> pose =
-      pose_from_clique(context_, objective_, constraints_, clique, rival);
+      pose_from_clique(context_, objective_, constraints_, clique, rival());
   if (pose) consider(std::move(*pose));
 }
 
@@ -142,14 +140,19 @@ void PoseSearch::offer(const Similarity& pose) {
   consider(std::move(judged));
 }
 
+Rival PoseSearch::rival() const {
+  constexpr int kPatience = 5;
+  return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
+}
+
 void PoseSearch::consider(Hypothesis pose) {
-  if (best_ && shares_most(pose.inliers, best_->inliers)) ++num_in_vain_;
+  if (rival().is_near(pose.inliers)) ++num_in_vain_;
   if (!reached_.insert(pose.inliers).second) return;
   // a rival is measured by what it can reach, as the best so far was
-  const double to_exceed = best_ ? best_->evidence : 0;
-  static const double kClose = getenv("P_F") ? atof(getenv("P_F")) : 0.9;
-  Hypothesis reached = reach_for_more(objective_, constraints_, std::move(pose), to_exceed);
-  if (reached.evidence > kClose * to_exceed) {
+  Hypothesis reached =
+      reach_for_more(objective_, constraints_, std::move(pose), rival().evidence());
+  constexpr double kClose = 0.9;
+  if (reached.evidence > kClose * rival().evidence()) {
     reached = climb_by_motions(objective_, constraints_, std::move(reached));
   }
   for (const Hypothesis& known : found_) {

@@ -12,6 +12,7 @@
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "kernels/consistency_row.hpp"
+#include "registration/local_optimisation.hpp"
 #include "registration/objective.hpp"
 #include "registration/solve_context.hpp"
 
@@ -82,6 +83,7 @@ class PoseSearch {
   void filter_graph(BitsetGraph& graph, const ScaleRange& scales) const;
 
  private:
+  Rival rival() const;
   void consider(Hypothesis pose);
 
   SolveContext& context_;

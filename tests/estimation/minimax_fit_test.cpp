@@ -126,6 +126,23 @@ TEST(MinimaxFit, NeverExcludesAnExactSetOfNearlyCollinearPoints) {
   }
 }
 
+TEST(MinimaxFit, GoesOnWithoutAPointThatIsLeftOut) {
+  NoisySet set = noisy_set(3, 9, {1, 1});
+  set.target = set.truth.apply(set.source);
+  set.target.col(4) += Eigen::Vector3d(1, 0, 0);
+  MinimaxFit fit(set.source, set.target, set.bounds, PoseConstraints{{1, 1}});
+  for (int step = 0; step < 20; ++step) ASSERT_TRUE(fit.step());
+  EXPECT_GT(fit.lower_bound(), 1);
+  const double weight_of_last = fit.weights()[8];
+  fit.leave_out(4);
+  EXPECT_EQ(fit.lower_bound(), 0);
+  ASSERT_EQ(fit.weights().size(), 8);
+  EXPECT_EQ(fit.weights()[7], weight_of_last);
+  ASSERT_TRUE(fit.step());
+  EXPECT_LT(fit.residuals().maxCoeff(), 1e-9);
+  EXPECT_LT((fit.pose().rotation - set.truth.rotation).norm(), 1e-9);
+}
+
 TEST(MinimaxFit, OfFewerThanThreePointsHasNoStep) {
   for (const Index count : {0, 1, 2}) {
     MinimaxFit fit(Points::Random(3, count), Points::Random(3, count), Eigen::ArrayXd::Ones(count),

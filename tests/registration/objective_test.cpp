@@ -38,6 +38,17 @@ TEST(Objective, GivesCopiesOneVoteWhenTheEvidenceIsDistinct) {
   EXPECT_EQ(objective.judge(problem.truth).num_inliers(), 10);
 }
 
+TEST(Objective, WeighsAtAKnownScaleAsInARange) {
+  const auto problem = testing::random_problem(4, 30, 60);
+  const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(90, 0.1)};
+  const Objective all(c, Evidence::Distinct, kEnough);
+  const Objective known(c, Evidence::Distinct, kEnough, {1, 1});
+  ASSERT_TRUE(known.is_weighted());
+  EXPECT_TRUE(all.weights_depend_on_scale());
+  EXPECT_FALSE(known.weights_depend_on_scale());
+  for (Index i = 0; i < 90; ++i) EXPECT_EQ(known.weight(i, 1), all.weight(i, 1));
+}
+
 TEST(Objective, TakesNoResidualThatIsNotANumberForAnInlier) {
   const auto problem = testing::random_problem(2, 10, 0);
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(10, 0.01)};
