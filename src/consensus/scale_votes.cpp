@@ -121,17 +121,6 @@ class RowVotes {
   std::vector<std::uint64_t> changes_, changes_before_;
 };
 
-/// Every pair votes for every bin.
-ScaleVotes all_votes(Index n, std::size_t num_bins) {
-  const Index pairs = n * (n - 1) / 2;
-  const std::vector<double> members(num_bins, static_cast<double>(n));
-  return {std::vector<Index>(num_bins, pairs),
-          std::vector<double>(num_bins, static_cast<double>(pairs)),
-          members,
-          members,
-          {}};
-}
-
 }  // namespace
 
 RunWeights::RunWeights(Index num_correspondences)
@@ -181,9 +170,14 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
     for (Index i = begin; i < end; ++i) rows.add(i, tally, pairs_of_chunk);
     pool.give_back(tally);
   });
-  if (late) return all_votes(n, num_bins);
   const VoteTally& sum = pool.sum();
   for (Index bin = 0; bin < bins.size(); ++bin) sum.read(bin, votes);
+  if (late) {
+    votes.pairs.assign(num_bins, n * (n - 1) / 2);
+    votes.max_members.assign(num_bins, static_cast<double>(n));
+    votes.max_evidence = votes.max_members;
+    votes.pairs_of_chunks.clear();
+  }
   return votes;
 }
 
