@@ -12,7 +12,7 @@
 namespace gmcr {
 namespace {
 
-constexpr Index kSmall = 256;  // starting threads would take longer than the rows
+constexpr Index kSmall = 512;  // starting threads would take longer than the rows
 
 // a pair's share of a sum over pairs: 1 above, the weight of its other end below this bit; for up
 // to 2^22 correspondences

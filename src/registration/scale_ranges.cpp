@@ -10,7 +10,8 @@ namespace gmcr {
 namespace {
 
 constexpr double kBinRatio = 1.02;
-constexpr double kMinRatio = 1.0001;         // a range as narrow as this is not halved again
+constexpr double kMinRatio = 1.0001;  // a range as narrow as this is not halved again
+constexpr Index kFew = 8;  // graphs that take no longer from all pairs than lists of pairs
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
 constexpr std::uint64_t kMaxWeightedNodes = 1'000;
 constexpr const char* kEndedEarly =
@@ -70,8 +71,8 @@ VotedBins::VotedBins(PoseSearch& search)
     : bins_(search.scales(), kBinRatio), votes_(count_votes(search, bins_)) {}
 
 RangeGraph VotedBins::graph(PoseSearch& search, Index bin, const ScaleRange& scales) {
-  // the first graph mostly leads to a pose that closes most bins, so their pairs are listed later
-  if (num_graphs_++ > 0 && !pairs_.contains(bin)) list_pairs(search, bin);
+  // the first graphs mostly lead to a pose that closes most bins, so pairs are listed later
+  if (num_graphs_++ >= kFew && !pairs_.contains(bin)) list_pairs(search, bin);
   if (!pairs_.contains(bin)) return build_range_graph(search, scales);
   return build_range_graph(search, scales, [&] {
     return pairs_.graph(search.arrays(), bin, scales, search.context().options().num_threads);
@@ -79,17 +80,17 @@ RangeGraph VotedBins::graph(PoseSearch& search, Index bin, const ScaleRange& sca
 }
 
 void VotedBins::list_pairs(PoseSearch& search, Index first_bin) {
-  constexpr std::size_t kFew = 4;  // bins whose graphs take no longer from all pairs
   const StageTimer timer(search.context(), "graph");
   std::vector<Index> wanted{first_bin};
   for (Index bin = 0; bin < bins_.size(); ++bin) {
     if (bin != first_bin && is_open(search, bounds(bin))) wanted.push_back(bin);
   }
-  if (wanted.size() < kFew) return;
   std::stable_sort(wanted.begin() + 1, wanted.end(),
                    [&](Index a, Index b) { return bounds(a).evidence > bounds(b).evidence; });
+  wanted.resize(BinnedPairs::num_that_fit(votes_, wanted, max_bytes(search)));
+  if (static_cast<Index>(wanted.size()) < kFew) return;
   pairs_ = {};  // frees what is no longer asked for
-  pairs_ = BinnedPairs(search.arrays(), bins_, votes_, wanted, max_bytes(search),
+  pairs_ = BinnedPairs(search.arrays(), bins_, votes_, wanted,
                        search.context().options().num_threads, search.context().deadline());
 }
 
