@@ -18,20 +18,26 @@ constexpr std::size_t kFewPairs = 100000;  // the same for the pairs of a graph
 
 }  // namespace
 
+std::size_t BinnedPairs::num_that_fit(const ScaleVotes& votes, std::span<const Index> wanted,
+                                      std::size_t max_bytes) {
+  if (votes.pairs_of_chunks.empty()) return 0;
+  std::size_t room = max_bytes / sizeof(std::uint32_t), count = 0;
+  for (const Index bin : wanted) {
+    const auto num_pairs = static_cast<std::size_t>(votes.pairs[static_cast<std::size_t>(bin)]);
+    if (num_pairs > room) break;
+    room -= num_pairs;
+    ++count;
+  }
+  return count;
+}
+
 BinnedPairs::BinnedPairs(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                         const ScaleVotes& votes, std::span<const Index> wanted,
-                         std::size_t max_bytes, int num_threads, const Deadline& deadline) {
-  if (votes.pairs_of_chunks.empty()) return;
+                         const ScaleVotes& votes, std::span<const Index> wanted, int num_threads,
+                         const Deadline& deadline) {
   const auto num_bins = static_cast<std::size_t>(bins.size());
   num_chunks_ = votes.pairs_of_chunks.size() / num_bins;
   lists_below_.assign(num_bins + 1, 0);
-  std::size_t room = max_bytes / sizeof(std::uint32_t);
-  for (const Index bin : wanted) {
-    const auto count = static_cast<std::size_t>(votes.pairs[static_cast<std::size_t>(bin)]);
-    if (count > room) break;
-    room -= count;
-    lists_below_[static_cast<std::size_t>(bin) + 1] = 1;
-  }
+  for (const Index bin : wanted) lists_below_[static_cast<std::size_t>(bin) + 1] = 1;
   std::partial_sum(lists_below_.begin(), lists_below_.end(), lists_below_.begin());
 
   std::size_t total = 0;

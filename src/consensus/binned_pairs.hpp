@@ -19,13 +19,17 @@ class BinnedPairs {
   /// No bins.
   BinnedPairs() = default;
 
-  /// Lists the pairs of as many bins of `wanted`, in this order, as `max_bytes` hold; of none where
-  /// the deadline passes first or it passed while the votes were counted.
-  /// @param votes  of the same correspondences and bins.
+  /// How many of the bins, in this order, have lists that fit into `max_bytes`; none where the
+  /// deadline passed while the votes were counted.
+  static std::size_t num_that_fit(const ScaleVotes& votes, std::span<const Index> wanted,
+                                  std::size_t max_bytes);
+
+  /// Lists the pairs of the bins; of none where the deadline passes first.
+  /// @param votes  of the same correspondences and bins, counted in time.
   /// The same for any number of threads. Cost O(N^2 + number of votes).
   BinnedPairs(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
-              const ScaleVotes& votes, std::span<const Index> wanted, std::size_t max_bytes,
-              int num_threads, const Deadline& deadline = Deadline::never());
+              const ScaleVotes& votes, std::span<const Index> wanted, int num_threads,
+              const Deadline& deadline = Deadline::never());
 
   bool contains(Index bin) const;
 

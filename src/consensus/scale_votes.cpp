@@ -12,7 +12,7 @@
 namespace gmcr {
 namespace {
 
-constexpr Index kSmall = 256;  // starting threads would take longer than the rows
+constexpr Index kSmall = 512;  // starting threads would take longer than the rows
 
 // a pair's share of a sum over pairs: 1 above, the weight of its other end below this bit; for up
 // to 2^22 correspondences
@@ -22,11 +22,11 @@ constexpr std::uint64_t kOnePair = std::uint64_t{1} << kCountBit;
 /// Tallies for as many threads as work at a time.
 class TallyPool {
  public:
-  explicit TallyPool(VoteTally empty) : empty_(std::move(empty)) {}
+  TallyPool(Index num_bins, bool weighted) : num_bins_(num_bins), weighted_(weighted) {}
 
   VoteTally& take() {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) return tallies_.emplace_back(empty_);
+    if (free_.empty()) return tallies_.emplace_back(num_bins_, weighted_);
     VoteTally* tally = free_.back();
     free_.pop_back();
     return *tally;
@@ -35,13 +35,17 @@ class TallyPool {
     const std::lock_guard lock(mutex_);
     free_.push_back(&tally);
   }
-  VoteTally sum() && {
-    for (const VoteTally& tally : tallies_) empty_.add(tally);
-    return std::move(empty_);
+  const VoteTally& sum() {
+    VoteTally& first = take();
+    for (const VoteTally& tally : tallies_) {
+      if (&tally != &first) first.add(tally);
+    }
+    return first;
   }
 
  private:
-  VoteTally empty_;
+  Index num_bins_;
+  bool weighted_;
   std::mutex mutex_;
   std::list<VoteTally> tallies_;
   std::vector<VoteTally*> free_;
@@ -68,12 +72,15 @@ class RowVotes {
     changes_before_ = changes_;
     add_pairs(i + 1, arrays_.size());
     std::uint64_t sum = 0, before = 0;
-    for (Index bin = 0; bin < num_bins_; ++bin) {
-      sum += changes_[static_cast<std::size_t>(bin)];
-      before += changes_before_[static_cast<std::size_t>(bin)];
-      const std::uint64_t own = weights_.run(weights_.run_of(bin))[i];
-      tally.add(bin, sum >> kCountBit, sum % kOnePair, own);
-      pairs_of_chunk[bin] += static_cast<std::uint32_t>((sum - before) >> kCountBit);
+    for (Index run = 0, bin = 0; bin < num_bins_; ++run) {
+      const std::uint64_t own = weights_.run(run)[i];
+      for (const Index end = std::min(num_bins_, weights_.first_of_run(run + 1)); bin < end;
+           ++bin) {
+        sum += changes_[static_cast<std::size_t>(bin)];
+        before += changes_before_[static_cast<std::size_t>(bin)];
+        tally.add(bin, sum >> kCountBit, sum % kOnePair, own);
+        pairs_of_chunk[bin] += static_cast<std::uint32_t>((sum - before) >> kCountBit);
+      }
     }
   }
 
@@ -114,17 +121,6 @@ class RowVotes {
   std::vector<std::uint64_t> changes_, changes_before_;
 };
 
-/// Every pair votes for every bin.
-ScaleVotes all_votes(Index n, std::size_t num_bins) {
-  const Index pairs = n * (n - 1) / 2;
-  const std::vector<double> members(num_bins, static_cast<double>(n));
-  return {std::vector<Index>(num_bins, pairs),
-          std::vector<double>(num_bins, static_cast<double>(pairs)),
-          members,
-          members,
-          {}};
-}
-
 }  // namespace
 
 RunWeights::RunWeights(Index num_correspondences)
@@ -160,7 +156,7 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
       std::vector<double>(num_bins),
       std::vector<std::uint32_t>(static_cast<std::size_t>((n + kRowsPerChunk - 1) / kRowsPerChunk) *
                                  num_bins)};
-  TallyPool pool{VoteTally(n, bins.size(), weighted)};
+  TallyPool pool(bins.size(), weighted);
   std::atomic<bool> late = false;
   parallel_for(n, kRowsPerChunk, threads, [&](Index begin, Index end) {
     if (late || deadline.expired()) {
@@ -174,9 +170,14 @@ ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const 
     for (Index i = begin; i < end; ++i) rows.add(i, tally, pairs_of_chunk);
     pool.give_back(tally);
   });
-  if (late) return all_votes(n, num_bins);
-  const VoteTally sum = std::move(pool).sum();
+  const VoteTally& sum = pool.sum();
   for (Index bin = 0; bin < bins.size(); ++bin) sum.read(bin, votes);
+  if (late) {
+    votes.pairs.assign(num_bins, n * (n - 1) / 2);
+    votes.max_members.assign(num_bins, static_cast<double>(n));
+    votes.max_evidence = votes.max_members;
+    votes.pairs_of_chunks.clear();
+  }
   return votes;
 }
 

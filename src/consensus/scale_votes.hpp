@@ -56,8 +56,9 @@ struct ScaleVotes {
 /// Votes of all pairs, streamed: no record of a pair is kept (L5).
 /// @param max_bytes  for the tables of all threads; fewer threads are used where they do not fit,
 ///   but one.
-/// @return the same for any number of threads; where the deadline passes first, every pair votes
-///   for every bin, which is a bound too, and `pairs_of_chunks` is empty.
+/// @return the same for any number of threads. Where the deadline passes first, `evidence` is that
+///   of a part of the pairs, every pair votes for every bin in `pairs` and the bounds, which bounds
+///   too, and `pairs_of_chunks` is empty.
 /// Cost O(N^2 + N bins), memory O(bins log N) a thread and O(bins N / 64).
 ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
                              const RunWeights& weights, std::size_t max_bytes, int num_threads,

@@ -27,8 +27,9 @@ struct Levels {
 /// order of the additions does not matter.
 class VoteTally {
  public:
-  VoteTally(Index num_correspondences, Index num_bins, bool weighted);
+  VoteTally(Index num_bins, bool weighted);
 
+  /// Bytes that a tally of so many correspondences may take.
   static std::size_t bytes_required(Index num_correspondences, Index num_bins, bool weighted);
 
   /// Adds a correspondence of weight `own` that agrees in a bin with `pairs` others of weight
@@ -36,11 +37,14 @@ class VoteTally {
   void add(Index bin, std::uint64_t pairs, std::uint64_t others, std::uint64_t own) {
     const auto b = static_cast<std::size_t>(bin);
     pairs_[b] += pairs;
-    ++members_[b * num_levels_ + Levels::of(pairs + 1)];
-    if (evidence_.empty()) return;
+    const std::size_t level = Levels::of(pairs + 1);
+    if (level >= num_levels_) grow(level + 1);
+    ++members_[level * num_bins_ + b];
+    if (!weighted_) return;
     product_[b] += (others * own + RunWeights::kOne - 1) / RunWeights::kOne;
+    // weights are at most 1, so this level is no higher
     const std::uint64_t together = (others + own + RunWeights::kOne - 1) / RunWeights::kOne;
-    evidence_[b * num_levels_ + Levels::of(together)] += own;
+    evidence_[Levels::of(together) * num_bins_ + b] += own;
   }
 
   void add(const VoteTally& other);
@@ -49,10 +53,14 @@ class VoteTally {
   void read(Index bin, ScaleVotes& votes) const;
 
  private:
-  std::size_t num_levels_ = 0;
+  void grow(std::size_t num_levels);
+
+  std::size_t num_bins_ = 0, num_levels_ = 0;
+  bool weighted_ = false;
   std::vector<std::uint64_t> pairs_, product_;  ///< a bin, twice: a pair has two ends
-  std::vector<std::uint32_t> members_;          ///< correspondences, a bin and level
-  std::vector<std::uint64_t> evidence_;         ///< weights, a bin and level; empty: all 1
+  // level-major: a correspondence has similar levels in neighbouring bins
+  std::vector<std::uint32_t> members_;   ///< correspondences, a level and bin
+  std::vector<std::uint64_t> evidence_;  ///< weights, a level and bin; none where all are 1
 };
 
 }  // namespace gmcr

@@ -10,9 +10,11 @@ namespace gmcr {
 namespace {
 
 constexpr double kBinRatio = 1.02;
-constexpr double kMinRatio = 1.0001;         // a range as narrow as this is not halved again
+constexpr double kMinRatio = 1.0001;  // a range as narrow as this is not halved again
+constexpr Index kFew = 8;  // graphs that take no longer from all pairs than lists of pairs
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
 constexpr std::uint64_t kMaxWeightedNodes = 1'000;
+constexpr double kSimilar = 0.9;
 constexpr const char* kEndedEarly =
     "a clique search ended before its proof: the upper bound may be loose";
 constexpr std::size_t kMaxBytes = std::size_t{1} << 27;  // of lists of pairs, and of tables
@@ -67,29 +69,42 @@ bool agree_at_one_scale(const kernels::CorrespondenceArrays& arrays,
 }  // namespace
 
 VotedBins::VotedBins(PoseSearch& search)
-    : bins_(search.scales(), kBinRatio), votes_(count_votes(search, bins_)) {}
+    : bins_(search.scales(), kBinRatio),
+      votes_(count_votes(search, bins_)),
+      num_pairs_(search.arrays().size() * (search.arrays().size() - 1) / 2) {}
 
 RangeGraph VotedBins::graph(PoseSearch& search, Index bin, const ScaleRange& scales) {
-  // the first graph mostly leads to a pose that closes most bins, so their pairs are listed later
-  if (num_graphs_++ > 0 && !pairs_.contains(bin)) list_pairs(search, bin);
+  // the first graphs mostly lead to a pose that closes most bins, so pairs are listed later
+  if (is_listable(bin) && !pairs_.contains(bin) && ++num_unlisted_ > kFew) list_pairs(search, bin);
   if (!pairs_.contains(bin)) return build_range_graph(search, scales);
   return build_range_graph(search, scales, [&] {
     return pairs_.graph(search.arrays(), bin, scales, search.context().options().num_threads);
   });
 }
 
+bool VotedBins::is_listable(Index bin) const {
+  constexpr Index kLeastGain = 16;  // a graph from so many more pairs takes longer than from a list
+  return kLeastGain * votes_.pairs[static_cast<std::size_t>(bin)] <= num_pairs_;
+}
+
 void VotedBins::list_pairs(PoseSearch& search, Index first_bin) {
-  constexpr std::size_t kFew = 4;  // bins whose graphs take no longer from all pairs
   const StageTimer timer(search.context(), "graph");
   std::vector<Index> wanted{first_bin};
   for (Index bin = 0; bin < bins_.size(); ++bin) {
-    if (bin != first_bin && is_open(search, bounds(bin))) wanted.push_back(bin);
+    if (bin != first_bin && is_listable(bin) && is_open(search, bounds(bin))) wanted.push_back(bin);
   }
-  if (wanted.size() < kFew) return;
   std::stable_sort(wanted.begin() + 1, wanted.end(),
                    [&](Index a, Index b) { return bounds(a).evidence > bounds(b).evidence; });
+  wanted.resize(BinnedPairs::num_that_fit(votes_, wanted, max_bytes(search)));
+  if (static_cast<Index>(wanted.size()) < kFew) return;
+  // lists cost as much as some graphs from all pairs: so many are built before, lest lists that are
+  // hardly used are made again and again
+  Index num_listed = 0;
+  for (const Index bin : wanted) num_listed += votes_.pairs[static_cast<std::size_t>(bin)];
+  if (num_unlisted_ < kFew * (1 + num_listed / std::max<Index>(1, num_pairs_))) return;
+  num_unlisted_ = 0;
   pairs_ = {};  // frees what is no longer asked for
-  pairs_ = BinnedPairs(search.arrays(), bins_, votes_, wanted, max_bytes(search),
+  pairs_ = BinnedPairs(search.arrays(), bins_, votes_, wanted,
                        search.context().options().num_threads, search.context().deadline());
 }
 
@@ -150,7 +165,12 @@ bool ScaleRanges::is_done(const Range& range, Measure measure, bool jointly) con
 
 void ScaleRanges::search_range(Range& range, Measure measure, const Deadline* deadline) {
   const RangeGraph graph = voted_.graph(search_, range.bin, range.scales);
-  search_inliers(range, graph);
+  const bool is_bin = range.scales.min == voted_.bins()[range.bin].min &&
+                      range.scales.max == voted_.bins()[range.bin].max;
+  // the number of inliers bounds the evidence, well where these are nearly the same
+  const bool bounds_well =
+      search_.to_beat(Measure::Evidence) > kSimilar * search_.to_beat(Measure::Inliers);
+  if (measure == Measure::Inliers || is_bin || bounds_well) search_inliers(range, graph);
   if (measure == Measure::Evidence) search_evidence(range, graph);
   if (deadline == nullptr) return;
   double& bound = of(range.bounds, measure);

@@ -29,12 +29,14 @@ class VotedBins {
   RangeGraph graph(PoseSearch& search, Index bin, const ScaleRange& scales);
 
  private:
+  bool is_listable(Index bin) const;
   void list_pairs(PoseSearch& search, Index first_bin);
 
   ScaleBins bins_;
   ScaleVotes votes_;
   BinnedPairs pairs_;
-  Index num_graphs_ = 0;
+  Index num_pairs_ = 0;     ///< of all correspondences
+  Index num_unlisted_ = 0;  ///< graphs of listable bins from all pairs since pairs were listed
 };
 
 /// Branch and bound over the scale.

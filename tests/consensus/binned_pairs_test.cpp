@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "consensus/consistency_graph.hpp"
@@ -24,9 +25,8 @@ struct Problem {
     votes = count_scale_votes(arrays, bins, RunWeights(n), kManyBytes, 1);
   }
 
-  BinnedPairs list(const std::vector<Index>& wanted, std::size_t max_bytes = kManyBytes,
-                   int num_threads = 1) const {
-    return {arrays, bins, votes, wanted, max_bytes, num_threads};
+  BinnedPairs list(const std::vector<Index>& wanted, int num_threads = 1) const {
+    return {arrays, bins, votes, wanted, num_threads};
   }
   BitsetGraph graph(const BinnedPairs& listed, Index bin, int num_threads = 1) const {
     return listed.graph(arrays, bin, bins[bin], num_threads);
@@ -71,37 +71,44 @@ TEST(BinnedPairs, GiveTheGraphOfAPartOfABin) {
                consistency_graph(problem.arrays, part, 1));
 }
 
-TEST(BinnedPairs, ListTheFirstBinsWantedThatFit) {
+TEST(BinnedPairs, ListTheBinsWantedAndNoOthers) {
   const Problem problem(100);
-  const std::size_t bytes =
-      4 * static_cast<std::size_t>(problem.votes.pairs[14] + problem.votes.pairs[3]);
-  const BinnedPairs both = problem.list({14, 3, 10}, bytes);
+  const BinnedPairs both = problem.list({14, 3});
   EXPECT_TRUE(both.contains(14) && both.contains(3));
   EXPECT_FALSE(both.contains(10) || both.contains(2) || both.contains(4));
   expect_equal(problem.graph(both, 14), problem.graph(problem.list({14}), 14));
-  const BinnedPairs one = problem.list({14, 3, 10}, bytes - 1);
-  EXPECT_TRUE(one.contains(14));
-  EXPECT_FALSE(one.contains(3) || one.contains(10));
+}
+
+TEST(BinnedPairs, FitIntoFourBytesAPair) {
+  const Problem problem(100);
+  const std::vector<Index>& counts = problem.votes.pairs;
+  const std::vector<Index> wanted{14, 3, 10};
+  const auto bytes = 4 * static_cast<std::size_t>(counts[14] + counts[3]);
+  ASSERT_GT(counts[3], 0);
+  ASSERT_GT(counts[10], 0);
+  EXPECT_EQ(BinnedPairs::num_that_fit(problem.votes, wanted, kManyBytes), 3u);
+  EXPECT_EQ(BinnedPairs::num_that_fit(problem.votes, wanted, bytes), 2u);
+  EXPECT_EQ(BinnedPairs::num_that_fit(problem.votes, wanted, bytes - 1), 1u);
+  ScaleVotes late = problem.votes;
+  late.pairs_of_chunks.clear();
+  EXPECT_EQ(BinnedPairs::num_that_fit(late, wanted, kManyBytes), 0u);
 }
 
 TEST(BinnedPairs, AreTheSameForAnyNumberOfThreads) {
-  const Problem problem(700, 0.3);  // large enough for threads in all steps
-  const Index bin = 14;
-  ASSERT_GT(problem.votes.pairs[14], 100'000);
-  const BinnedPairs one = problem.list({bin, 15}), four = problem.list({bin, 15}, kManyBytes, 4);
+  const Problem problem(700, 0.5);  // large enough for threads in all steps
+  const std::vector<Index>& counts = problem.votes.pairs;
+  const Index bin = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  ASSERT_GT(counts[static_cast<std::size_t>(bin)], 100'000);
+  const std::vector<Index> wanted{bin, bin - 1};
+  const BinnedPairs one = problem.list(wanted), four = problem.list(wanted, 4);
   expect_equal(problem.graph(one, bin), problem.graph(four, bin, 4));
 }
 
 TEST(BinnedPairs, ListNoneWhereTimeIsUp) {
   const Problem problem(50);
   const std::vector<Index> wanted{3};
-  const BinnedPairs late(problem.arrays, problem.bins, problem.votes, wanted, kManyBytes, 1,
-                         Deadline(0));
+  const BinnedPairs late(problem.arrays, problem.bins, problem.votes, wanted, 1, Deadline(0));
   EXPECT_FALSE(late.contains(3));
-  ScaleVotes no_votes = problem.votes;
-  no_votes.pairs_of_chunks.clear();
-  EXPECT_FALSE(
-      BinnedPairs(problem.arrays, problem.bins, no_votes, wanted, kManyBytes, 1).contains(3));
   EXPECT_FALSE(BinnedPairs().contains(3));
 }
 

@@ -146,7 +146,7 @@ TEST(ScaleVotes, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(ScaleVotes, AreThoseOfAllPairsWhereTimeIsUp) {
+TEST(ScaleVotes, BoundByAllPairsWhereTimeIsUp) {
   const Index n = 20;
   const auto arrays = random_arrays(3, n, 0.05);
   const ScaleBins bins({0.05, 50}, 1.02);
@@ -156,6 +156,7 @@ TEST(ScaleVotes, AreThoseOfAllPairsWhereTimeIsUp) {
   EXPECT_EQ(at(votes.max_members, 3), 20);
   EXPECT_EQ(at(votes.max_evidence, 3), 20);
   EXPECT_TRUE(votes.pairs_of_chunks.empty());
+  EXPECT_EQ(votes.evidence, std::vector<double>(static_cast<std::size_t>(bins.size())));
 }
 
 TEST(ScaleVotes, OfNoCorrespondencesAreNone) {
