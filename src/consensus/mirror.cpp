@@ -9,11 +9,11 @@ namespace {
 
 constexpr Index kBlock = BitsetGraph::kBitsPerWord;
 constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-constexpr Index kSide = 8;     // blocks whose words fill a cache line of each of their rows
+constexpr Index kSide = 4;     // blocks: what a square of them writes fits the first-level cache
 
 /// Calls body(row_block, column_block) for all pairs of blocks with row_block <= column_block, in
-/// squares of kSide x kSide blocks: rows are read and written a cache line at a time, both above
-/// and below the diagonal.
+/// squares of kSide x kSide blocks: neighbouring words of a row, above and below the diagonal, are
+/// written while their cache line is near.
 template <typename Body>
 void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Body& body) {
   const Index num_blocks = graph.words_per_row(), num_squares = (num_blocks + kSide - 1) / kSide;

@@ -11,7 +11,7 @@ namespace gmcr {
 /// @param block  block(row_block, column_block), row_block <= column_block: bits past the last
 ///     vertex are 0, and a block on the diagonal is symmetric without loops. Called from several
 ///     threads.
-/// Cost O(N^2 / 64) words, written a cache line at a time.
+/// Cost O(N^2 / 64).
 void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
                             const std::function<kernels::BitBlock(Index, Index)>& block);
 

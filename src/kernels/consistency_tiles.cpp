@@ -49,26 +49,22 @@ double largest_error(double largest, double bound) {
                   16 * kUnit * (rho + delta) * (rho + delta));
 }
 
-/// Array number `array` of each block; what is past the last value is `padding`.
-void write_array(const Eigen::ArrayXd& values, float padding, Index array, float* blocks) {
-  const Index padded = (values.size() + kBlock - 1) / kBlock * kBlock;
-  for (Index i = 0; i < padded; ++i) {
-    blocks[i / kBlock * kFloatsPerBlock + array * kBlock + i % kBlock] =
-        i < values.size() ? static_cast<float>(values[i]) : padding;
-  }
-}
-
-/// x, y, z and the squared norm of the points, scaled and rounded, from array number `array` on.
+/// The points of block number `block`, scaled, rounded and then put into `out`.
+/// @param far  squared norm of those that pad the last block.
 void write_points(const Eigen::MatrixX3d& points, const Ball& ball, double scale, float far,
-                  Index array, float* blocks) {
-  Eigen::ArrayXd squared_norms = Eigen::ArrayXd::Zero(points.rows());
-  for (Index axis = 0; axis < 3; ++axis) {
-    const Eigen::ArrayXd values =
-        (points.col(axis).array() - ball.middle[axis]) * (scale * std::numbers::sqrt2);
-    write_array(values, 0, array + axis, blocks);
-    squared_norms += values.cast<float>().cast<double>().square();
+                  Index block, float (&out)[4][kBlock]) {
+  const Index begin = block * kBlock, end = std::min(begin + kBlock, points.rows());
+  std::fill(&out[0][0], &out[3][0], 0.0F);
+  std::fill(out[3], out[3] + kBlock, far);
+  for (Index i = begin; i < end; ++i) {
+    double twice_squared = 0;
+    for (Index axis = 0; axis < 3; ++axis) {
+      const auto value = static_cast<float>((points(i, axis) - ball.middle[axis]) * scale);
+      out[axis][i - begin] = value;
+      twice_squared += static_cast<double>(value) * value;
+    }
+    out[3][i - begin] = static_cast<float>(0.5 * twice_squared);
   }
-  write_array(0.5 * squared_norms, far, array + 3, blocks);
 }
 
 }  // namespace
@@ -94,11 +90,18 @@ void ConsistencyTiles::prepare_single_precision() {
   if (!(farthest <= kFarthest * largest)) return;
 
   const double unit = 2 * largest_bound;
-  single_ = hwy::AllocateAligned<float>(static_cast<std::size_t>(num_blocks() * kFloatsPerBlock));
-  write_points(arrays_.source, source, scale_max_ / unit, 0, 0, single_.get());
-  write_points(arrays_.target, target, 1 / unit, kFar, 4, single_.get());
-  write_array(arrays_.bounds / unit, 0, 8, single_.get());
-  pairs_.blocks = single_.get();
+  blocks_.resize(static_cast<std::size_t>(num_blocks()));
+  for (Index k = 0; k < num_blocks(); ++k) {
+    PairBlock& block = blocks_[static_cast<std::size_t>(k)];
+    const double factor = std::numbers::sqrt2 / unit;
+    write_points(arrays_.source, source, factor * scale_max_, 0, k, block.source);
+    write_points(arrays_.target, target, factor, kFar, k, block.target);
+    const Index count = std::min(kBlock, arrays_.size() - k * kBlock);
+    for (Index i = 0; i < count; ++i) {
+      block.bounds[i] = static_cast<float>(arrays_.bounds[k * kBlock + i] / unit);
+    }
+  }
+  pairs_.blocks = blocks_.data();
   const double ratio = scale_min_ / scale_max_;
   pairs_.squared_ratio = static_cast<float>(ratio * ratio);
   pairs_.doubt = static_cast<float>(largest_error(largest / unit, 0.5));
@@ -111,7 +114,7 @@ BitBlock ConsistencyTiles::tile(Index row_block, Index column_block) const {
   const Index first_row = row_block * kBlock;
   const Index num_rows = std::min(kBlock, arrays_.size() - first_row);
   std::uint64_t doubtful = ~std::uint64_t{0};  // rows
-  if (single_) {
+  if (is_single_precision()) {
     doubtful = consistency_tile_in_single_precision(pairs_, row_block, column_block, block.data());
   }
   for (Index r = 0; r < num_rows; ++r) {

@@ -25,25 +25,25 @@ struct Pairs {
 };
 
 /// Columns k, k + 1, ... of a block.
-HWY_INLINE Pairs columns(const float* block, Index k) {
+HWY_INLINE PointVectors columns(const float (&points)[4][64], Index k) {
   const Lanes lanes;
-  const float* p = block + k;
-  return {{hn::Load(lanes, p), hn::Load(lanes, p + 64), hn::Load(lanes, p + 128),
-           hn::Load(lanes, p + 192)},
-          {hn::Load(lanes, p + 256), hn::Load(lanes, p + 320), hn::Load(lanes, p + 384),
-           hn::Load(lanes, p + 448)},
-          hn::Load(lanes, p + 512)};
+  return {hn::Load(lanes, points[0] + k), hn::Load(lanes, points[1] + k),
+          hn::Load(lanes, points[2] + k), hn::Load(lanes, points[3] + k)};
 }
 
 /// Row r of a block in all lanes.
-HWY_INLINE Pairs row(const float* block, Index r) {
+HWY_INLINE PointVectors row(const float (&points)[4][64], Index r) {
   const Lanes lanes;
-  const float* p = block + r;
-  return {
-      {hn::Set(lanes, p[0]), hn::Set(lanes, p[64]), hn::Set(lanes, p[128]), hn::Set(lanes, p[192])},
-      {hn::Set(lanes, p[256]), hn::Set(lanes, p[320]), hn::Set(lanes, p[384]),
-       hn::Set(lanes, p[448])},
-      hn::Set(lanes, p[512])};
+  return {hn::Set(lanes, points[0][r]), hn::Set(lanes, points[1][r]), hn::Set(lanes, points[2][r]),
+          hn::Set(lanes, points[3][r])};
+}
+
+HWY_INLINE Pairs columns(const PairBlock& block, Index k) {
+  return {columns(block.source, k), columns(block.target, k), hn::Load(Lanes(), block.bounds + k)};
+}
+
+HWY_INLINE Pairs row(const PairBlock& block, Index r) {
+  return {row(block.source, r), row(block.target, r), hn::Set(Lanes(), block.bounds[r])};
 }
 
 /// |p|^2 + |q|^2 - 2 p.q, of coordinates times the root of 2. Fused or not: what rounding can
@@ -123,8 +123,7 @@ template <bool kEqualBounds, bool kOneScale>
 HWY_INLINE std::uint64_t tile_of(const SinglePrecisionPairs& pairs, Index row_block,
                                  Index column_block, std::uint64_t* tile) {
   const Test<kEqualBounds, kOneScale> test(pairs);
-  const float* const rows = pairs.blocks + row_block * kFloatsPerBlock;
-  const float* const others = pairs.blocks + column_block * kFloatsPerBlock;
+  const PairBlock &rows = pairs.blocks[row_block], &others = pairs.blocks[column_block];
   std::uint64_t doubtful = 0;
   for (Index r = 0; r < 64; r += 2) {  // two rows share the loads of the columns
     const Pairs first = row(rows, r), second = row(rows, r + 1);
