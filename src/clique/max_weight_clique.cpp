@@ -23,6 +23,7 @@ class Solver {
         weights_(weights),
         incumbent_(weights, options.must_exceed),
         budget_(options.time_limit, options.max_nodes, options.max_work),
+        max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}
 
   WeightedCliqueResult solve(std::span<const double> weights) {
@@ -89,8 +90,10 @@ class Solver {
     }
   }
 
-  /// Branch and bound on what is left.
+  /// Branch and bound on what is left, if it may be copied.
   void search_survivors() {
+    constexpr std::size_t kCopies = 2;
+    if (kCopies * BitsetGraph::bytes_required(peeling_.num_alive()) > max_memory_) return;
     std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);
@@ -105,6 +108,7 @@ class Solver {
   const FixedPointWeights& weights_;
   WeightedIncumbent incumbent_;
   SearchBudget budget_;
+  std::size_t max_memory_;
   std::int64_t upper_bound_;
   WeightedPeeling peeling_;
 };
