@@ -74,7 +74,7 @@ ComplementSearch::Part ComplementSearch::prepare(const std::vector<Index>& verti
 
 void ComplementSearch::search(Part& part, Index must_exceed) {
   Incumbent incumbent(part.clique, must_exceed);
-  const Index bound = RootSearch(part.graph.view(), part.core, incumbent, budget_).run();
+  const Index bound = RootSearch(part.graph, part.core, incumbent, budget_, num_threads_).run();
   part.bound = std::min(part.bound, std::max(bound, incumbent.size()));
   part.clique = incumbent.clique();
 }
