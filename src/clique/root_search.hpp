@@ -63,6 +63,7 @@ class RootSearch {
   void drop_hopeless(std::span<Word> vertices) const;
   bool fill(std::size_t num_active);
   void advance_all(int num_threads);
+  void improve_clique();
 
   const PackedGraph* packed_ = nullptr;
   RowsView graph_;
@@ -72,6 +73,7 @@ class RootSearch {
   int num_threads_;
   std::vector<Branch> branches_;  // those to come, the next one last
   AlignedWords alive_;
+  bool has_swapped_ = false;
   Index work_each_ = 0;   // word operations of a subproblem until the others learn of its clique
   Index known_size_ = 0;  // of the clique to beat by which `alive_` was thinned out
   std::vector<std::unique_ptr<Subproblem>> active_, idle_;

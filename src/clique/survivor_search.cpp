@@ -4,7 +4,6 @@
 #include "clique/complement.hpp"
 #include "clique/complement_search.hpp"
 #include "clique/greedy.hpp"
-#include "clique/local_search.hpp"
 
 namespace gmcr {
 namespace {
@@ -12,18 +11,6 @@ namespace {
 constexpr int kNumGreedyStarts = 16;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
-// Swaps improve the clique of a graph this dense in about a millisecond, which saves a part of the
-// search.
-constexpr double kMinDensityToSwap = 0.6;
-constexpr Index kMaxVerticesToSwap = 2000;
-constexpr Index kSwapWork = Index{1} << 19;
-
-bool pays_to_swap(RowsView graph) {
-  const Index n = graph.num_vertices;
-  if (n < 2 || n > kMaxVerticesToSwap) return false;
-  const Index ends = count_bits(graph.words, n * graph.words_per_row);
-  return static_cast<double>(ends) >= kMinDensityToSwap * static_cast<double>(n * (n - 1));
-}
 
 }  // namespace
 
@@ -117,9 +104,6 @@ void SurvivorSearch::search_copy(const PackedGraph& packed, std::span<const Inde
   if (is_nearly_complete(view)) {
     lower_bound_to(ComplementSearch(view, inner, budget_, num_threads_).run());
   } else {
-    if (pays_to_swap(view)) {
-      inner.offer(improve_by_swaps(view, inner.clique(), kSwapWork, budget_));
-    }
     lower_bound_to(RootSearch(packed, core, inner, budget_, num_threads_).run());
   }
   incumbent_.offer(originals_of(packed, inner.clique()));
