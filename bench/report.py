@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from reports import clouds, correspondences, paper_synthetic, scaling
+from reports import clique, clouds, correspondences, paper_synthetic, scaling
 from reports.records import read_records
 
 REPORTS = {
@@ -13,6 +13,7 @@ REPORTS = {
     "paper_certified": paper_synthetic.report_certified,
     "scaling": scaling.report,
     "clouds": clouds.report,
+    "clique": clique.report,
 }
 
 FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.draw}

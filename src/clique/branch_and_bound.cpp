@@ -2,38 +2,47 @@
 
 namespace gmcr {
 
-BranchAndBound::Outcome BranchAndBound::search(RowsView graph, Index to_beat,
-                                               SearchBudget& budget) {
-  graph_ = graph;
-  selector_.reset(graph, budget);
+void BranchAndBound::start(const PackedGraph& graph, Index to_beat, SearchBudget& budget) {
+  clear();
+  graph_ = graph.view();
+  selector_.reset(graph);
   best_size_ = std::max<Index>(0, to_beat);
+  candidates_.reset(graph_);
+  enter_level(graph_.num_vertices, budget);
+}
+
+void BranchAndBound::clear() {
   best_.clear();
   chosen_.clear();
   branches_.clear();
   first_branch_.clear();
   level_bound_.clear();
-  candidates_.reset(graph);
+}
 
-  enter_level(graph.num_vertices);
-  Index left_over = 0;
-  while (!first_branch_.empty()) {
+void BranchAndBound::run(SearchBudget& budget) {
+  while (!finished()) {
     if (branches_.size() == first_branch_.back() || branch_bound() <= best_size_) {
       leave_level();
     } else if (budget.spend_node(words_per_node())) {
-      visit_next_branch();
+      visit_next_branch(budget);
     } else {
-      left_over = unfinished_bound();
-      break;
+      return;
     }
   }
-  return {best_, std::max(best_size_, left_over)};
 }
 
-void BranchAndBound::enter_level(Index bound) {
+void BranchAndBound::raise_to_beat(Index size) {
+  if (size <= best_size_) return;
+  best_size_ = size;
+  best_.clear();
+}
+
+void BranchAndBound::enter_level(Index bound, SearchBudget& budget) {
   const Index level = static_cast<Index>(first_branch_.size());
   first_branch_.push_back(branches_.size());
   level_bound_.push_back(bound);
-  const bool is_clique = selector_.select(candidates_.row(level), best_size_ - level, branches_);
+  const bool is_clique =
+      selector_.select(candidates_.row(level), best_size_ - level, budget, branches_);
   if (is_clique) {
     // The candidates complete the clique at once; no branch can do better.
     branches_.resize(first_branch_.back());
@@ -48,14 +57,14 @@ void BranchAndBound::leave_level() {
   if (!chosen_.empty()) chosen_.pop_back();
 }
 
-void BranchAndBound::visit_next_branch() {
+void BranchAndBound::visit_next_branch(SearchBudget& budget) {
   const Index level = static_cast<Index>(first_branch_.size()) - 1;
   const auto [v, bound] = branches_.back();
   branches_.pop_back();
-  const Index num_candidates = count_bits(candidates_.descend(level, v), graph_.words_per_row);
+  const Index num_candidates = candidates_.descend_padded(level, v);
   if (level + 1 + num_candidates <= best_size_) return;
   chosen_.push_back(v);
-  enter_level(std::min<Index>(bound - 1, num_candidates));
+  enter_level(std::min<Index>(bound - 1, num_candidates), budget);
 }
 
 void BranchAndBound::record_clique(const Word* rest) {
@@ -70,8 +79,8 @@ Index BranchAndBound::branch_bound() const {
   return static_cast<Index>(chosen_.size()) + branches_.back().bound;
 }
 
-Index BranchAndBound::unfinished_bound() const {
-  Index bound = 0;
+Index BranchAndBound::upper_bound() const {
+  Index bound = best_size_;
   for (std::size_t level = 0; level < first_branch_.size(); ++level) {
     const std::size_t end =
         level + 1 < first_branch_.size() ? first_branch_[level + 1] : branches_.size();

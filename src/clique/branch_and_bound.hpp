@@ -11,26 +11,37 @@ namespace gmcr {
 /// Exact search for a clique larger than a known one, in a graph small enough for a bit row per
 /// level (Tomita and Seki 2003; BBMC of San Segundo et al. 2011).
 ///
-/// Memory is reused from one search to the next; levels are no recursion, so that a clique of
-/// any size fits the stack.
+/// It can be interrupted: `run` goes on where the last one ended. Memory is reused from one search
+/// to the next; levels are no recursion, so that a clique of any size fits the stack.
 class BranchAndBound {
  public:
-  struct Outcome {
-    std::vector<Index> clique;  ///< the largest with more than `to_beat` vertices; empty: none met
-    Index upper_bound = 0;      ///< no clique is larger than this or `to_beat`, whichever is more
-  };
+  /// Prepares a search of `graph`, which outlives it. Its vertices come best first: those of high
+  /// core number have low numbers.
+  void start(const PackedGraph& graph, Index to_beat, SearchBudget& budget);
 
-  /// Searches `graph`, whose vertices come best first: those of high core number have low numbers.
-  /// Ends early when `budget` is spent; the bound is then what is left to prove.
-  Outcome search(RowsView graph, Index to_beat, SearchBudget& budget);
+  /// Ends the search.
+  void clear();
+
+  /// Searches until the end or until `budget` is spent.
+  void run(SearchBudget& budget);
+
+  /// From now on only cliques of more than `size` vertices count.
+  void raise_to_beat(Index size);
+
+  bool finished() const { return first_branch_.empty(); }
+
+  /// The largest with more vertices than there were to beat; empty: none met.
+  const std::vector<Index>& clique() const { return best_; }
+
+  /// No clique is larger than this or the size to beat, whichever is more.
+  Index upper_bound() const;
 
  private:
-  void enter_level(Index bound);
+  void enter_level(Index bound, SearchBudget& budget);
   void leave_level();
-  void visit_next_branch();
+  void visit_next_branch(SearchBudget& budget);
   void record_clique(const Word* rest);
   Index branch_bound() const;
-  Index unfinished_bound() const;
   Index words_per_node() const { return graph_.num_vertices * graph_.words_per_row; }
 
   RowsView graph_;

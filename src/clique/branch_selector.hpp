@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clique/bit_rows.hpp"
+#include "clique/packed_graph.hpp"
 #include "clique/search_budget.hpp"
 
 namespace gmcr {
@@ -15,47 +15,30 @@ struct Branch {
   std::int32_t bound;  ///< cliques of this vertex, the earlier branches and the rest are no larger
 };
 
-/// Chooses the vertices that a search node must branch on, by colouring.
+/// Chooses the vertices that a search node must branch on (`kernels::choose_branches`); holds the
+/// memory for that.
 ///
 /// Colours the candidates with as many classes as a clique may have without beating the incumbent;
-/// only what is left over needs a branch. Two repairs shrink the rest: re-colouring moves one
-/// conflicting neighbour to another class (Tomita et al. 2010), and an inconsistent triple of
-/// classes, in which no triangle is left, counts as two (infra-chromatic bound, San Segundo et
-/// al. 2015).
+/// only what is left over, and cannot be repaired, needs a branch.
 class BranchSelector {
  public:
-  /// Works on `graph` from now on; the choice of repairs depends on its density.
-  /// @param budget  outlives the use of `graph`.
-  void reset(RowsView graph, SearchBudget& budget);
+  /// Works on `graph` from now on, which outlives that; whether it repairs depends on the density.
+  void reset(const PackedGraph& graph);
 
-  /// Appends the branches within `candidates` to `branches`, by ascending bound.
+  /// Appends the branches within `candidates` (padded, aligned) to `branches`, by ascending bound.
   ///
   /// The candidates that are not appended have no clique of more than `max_pruned` vertices.
   /// Once the budget is spent, all that has no class yet becomes a branch.
   /// @param seeds  as in `color_greedily`.
   /// @return whether the candidates are a clique.
-  bool select(const Word* candidates, Index max_pruned, std::vector<Branch>& branches,
-              std::span<const Index> seeds = {});
+  bool select(const Word* candidates, Index max_pruned, SearchBudget& budget,
+              std::vector<Branch>& branches, std::span<const Index> seeds = {});
 
  private:
-  void color_classes(Index max_classes, std::span<const Index> seeds);
-  bool append_rest(Index max_pruned, std::vector<Branch>& branches);
-  void append_all(Index bound, std::vector<Branch>& branches);
-  bool repair(Index v);
-  bool find_repair(Index v);
-
-  Word* color_class(Index c) { return classes_.data() + c * words_; }
-  const Word* color_class(Index c) const { return classes_.data() + c * words_; }
-
   RowsView graph_;
-  SearchBudget* budget_ = nullptr;
-  Index words_ = 0;
-  Index repair_words_left_ = 0;  // word operations that the repairs of this node may still take
   bool repairs_ = false;
-  Index num_classes_ = 0;
-  Index num_colored_ = 0;
-  std::vector<Word> uncolored_, free_, classes_;
-  std::vector<char> in_triple_;  // a class that an inconsistent triple has used up
+  AlignedWords rows_;                // scratch of the kernel: some rows,
+  std::vector<std::int32_t> lists_;  // lists with an entry a vertex
 };
 
 }  // namespace gmcr

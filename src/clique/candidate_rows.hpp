@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
-
-#include "clique/bit_rows.hpp"
+#include "clique/aligned_words.hpp"
+#include "kernels/branch_choice.hpp"
 
 namespace gmcr {
 
@@ -22,21 +21,33 @@ class CandidateRows {
   /// Takes `vertex` from the candidates of a level; those of the next are its neighbours among the
   /// rest. @return the row of the next level. Cost O(n / 64).
   Word* descend(Index level, Index vertex) {
+    Word* next = make_next(level);
+    const Word* here = row(level);
+    const Word* neighbors = graph_.row(vertex);
+    clear_bit(row(level), vertex);
+    for (Index w = 0; w < graph_.words_per_row; ++w) next[w] = here[w] & neighbors[w];
+    return next;
+  }
+
+  /// The same in a graph whose rows are padded as those of `PackedGraph`.
+  /// @return the number of candidates of the next level.
+  Index descend_padded(Index level, Index vertex) {
+    Word* next = make_next(level);
+    clear_bit(row(level), vertex);
+    return kernels::intersect(row(level), graph_.row(vertex), graph_.words_per_row, next);
+  }
+
+ private:
+  Word* make_next(Index level) {
     const Index words = graph_.words_per_row;
     if (static_cast<Index>(words_.size()) < (level + 2) * words) {
       words_.resize(static_cast<std::size_t>(2 * (level + 2) * words));
     }
-    Word* here = row(level);
-    Word* next = row(level + 1);
-    const Word* neighbors = graph_.row(vertex);
-    clear_bit(here, vertex);
-    for (Index w = 0; w < words; ++w) next[w] = here[w] & neighbors[w];
-    return next;
+    return row(level + 1);
   }
 
- private:
   RowsView graph_;
-  std::vector<Word> words_;
+  AlignedWords words_;
 };
 
 }  // namespace gmcr

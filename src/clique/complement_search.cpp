@@ -8,8 +8,10 @@
 namespace gmcr {
 namespace {
 
-// Steps of the local search a pair that is no edge: enough to level off on noisy inliers.
-constexpr Index kSwapWorkPerMissing = 64;
+// Steps of the local search a pair that is no edge: few to begin with, then enough to level off on
+// noisy inliers. Branch and bound settles small parts as fast.
+constexpr Index kFewStepsPerMissing = 4, kManyStepsPerMissing = 64;
+constexpr Index kSmallPart = 256;
 
 Index num_missing(RowsView graph) {
   const Index n = graph.num_vertices;
@@ -62,19 +64,28 @@ ComplementSearch::Part ComplementSearch::prepare(const std::vector<Index>& verti
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (is_known[order[i]]) part.clique.push_back(static_cast<Index>(i));
   }
+  part.bound = std::min(part.bound, cores.degeneracy + 1);
+  bound_by_colors(part);
   const RowsView view = part.graph.view();
-  part.clique =
-      improve_by_swaps(view, part.clique, kSwapWorkPerMissing * num_missing(view), budget_);
+  for (const Index steps : {kFewStepsPerMissing, kManyStepsPerMissing}) {
+    if (part.bound <= static_cast<Index>(part.clique.size())) break;
+    if (steps == kManyStepsPerMissing && view.num_vertices <= kSmallPart) break;
+    part.clique = improve_by_swaps(view, part.clique, steps * num_missing(view), budget_);
+    bound_by_colors(part);
+  }
+  return part;
+}
+
+void ComplementSearch::bound_by_colors(Part& part) {
+  const RowsView view = part.graph.view();
   std::vector<Word> all(view.words_per_row, 0);
   for (Index v = 0; v < view.num_vertices; ++v) set_bit(all.data(), v);
-  part.bound =
-      std::min(cores.degeneracy + 1, color_greedily(view, all, part.clique, &budget_).num_colors);
-  return part;
+  part.bound = std::min(part.bound, color_greedily(view, all, part.clique, &budget_).num_colors);
 }
 
 void ComplementSearch::search(Part& part, Index must_exceed) {
   Incumbent incumbent(part.clique, must_exceed);
-  const Index bound = RootSearch(part.graph.view(), part.core, incumbent, budget_).run();
+  const Index bound = RootSearch(part.graph, part.core, incumbent, budget_, num_threads_).run();
   part.bound = std::min(part.bound, std::max(bound, incumbent.size()));
   part.clique = incumbent.clique();
 }

@@ -3,20 +3,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "clique/coloring.hpp"
-#include "clique/complement.hpp"
-#include "clique/complement_search.hpp"
-#include "clique/degeneracy.hpp"
-#include "clique/greedy.hpp"
-#include "clique/root_search.hpp"
+#include "clique/core_filter.hpp"
+#include "clique/survivor_search.hpp"
 #include "gmcr/clique.hpp"
 
 namespace gmcr {
 namespace {
 
-constexpr int kNumGreedyStarts = 16;
-// A renumbered copy of the surviving vertices pays unless it doubles a large memory.
-constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
+constexpr Index kNumFirstStarts = 4;
+constexpr int kMaxThreads = 1024;
 
 /// The initial clique, ascending and checked against `graph`; any vertex where it is empty.
 std::vector<Index> checked_clique(const BitsetGraph& graph, std::vector<Index> clique) {
@@ -49,17 +44,14 @@ class Solver {
         incumbent_(checked_clique(graph, options.initial_clique), options.must_exceed),
         budget_(options.time_limit, options.max_nodes),
         must_exceed_(options.must_exceed),
-        upper_bound_(graph.num_vertices()) {}
+        upper_bound_(graph.num_vertices()),
+        num_threads_(options.num_threads) {}
 
   CliqueResult solve() {
     if (!settled()) bound_by_degrees();
-    // Most likely nothing exceeds a given size: a colouring may show it without any clique.
-    if (!settled() && must_exceed_ > 0) bound_by_colors();
-    if (!settled()) grow_first_clique();
-    if (!settled()) bound_by_colors();
-    if (!settled()) bound_by_cores();
-    if (!settled()) grow_cliques();
-    if (!settled()) search_core();
+    // Most likely nothing exceeds a given size: bounds may show it without any clique.
+    if (!settled() && must_exceed_ == 0) grow_first_cliques();
+    if (!settled()) search_survivors();
     CliqueResult result;
     result.vertices = incumbent_.clique();
     std::sort(result.vertices.begin(), result.vertices.end());
@@ -75,79 +67,47 @@ class Solver {
 
   /// A clique of k + 1 vertices needs as many of degree k or more.
   void bound_by_degrees() {
-    degree_.resize(graph_.num_vertices);
+    degree_ = degrees_of(graph_, num_threads_);
     std::vector<Index> num_with_degree(graph_.num_vertices, 0);
-    for (Index v = 0; v < graph_.num_vertices; ++v) {
-      degree_[v] = graph_.degree(v);
-      ++num_with_degree[degree_[v]];
-    }
+    for (const Index degree : degree_) ++num_with_degree[degree];
     Index degree = graph_.num_vertices - 1, num_at_least = num_with_degree[degree];
     while (num_at_least <= degree) num_at_least += num_with_degree[--degree];
     lower_bound_to(degree + 1);
   }
 
-  void grow_first_clique() {
-    const auto start = std::max_element(degree_.begin(), degree_.end());
-    incumbent_.offer(greedy_clique_by_candidates(graph_, start - degree_.begin(), degree_));
+  void grow_first_cliques() {
+    std::vector<Index> starts(graph_.num_vertices);
+    std::iota(starts.begin(), starts.end(), Index{0});
+    const auto by_degree = [&](Index a, Index b) {
+      return degree_[a] != degree_[b] ? degree_[a] > degree_[b] : a < b;
+    };
+    const Index count = std::min(kNumFirstStarts, graph_.num_vertices);
+    std::partial_sort(starts.begin(), starts.begin() + count, starts.end(), by_degree);
+    starts.resize(count);
+    grow_cliques(graph_, starts, degree_, incumbent_, budget_, upper_bound_);
   }
 
-  void bound_by_colors() {
-    std::vector<Word> all(graph_.words_per_row, 0);
-    for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(all.data(), v);
-    lower_bound_to(color_greedily(graph_, all, incumbent_.clique(), &budget_).num_colors);
-  }
-
-  void bound_by_cores() {
-    cores_ = degeneracy_order(graph_, &budget_);
-    lower_bound_to(cores_.degeneracy + 1);
-  }
-
-  void grow_cliques() {
-    // Starts of high core number that no clique so far contains.
-    std::vector<char> covered(graph_.num_vertices, 0);
-    int num_starts = 0;
-    for (auto v = cores_.order.rbegin(); v != cores_.order.rend(); ++v) {
-      if (covered[*v]) continue;
-      if (settled() || num_starts++ == kNumGreedyStarts) return;
-      std::vector<Index> clique = greedy_clique_by_candidates(graph_, *v, cores_.core);
-      for (const Index u : clique) covered[u] = 1;
-      incumbent_.offer(std::move(clique));
-    }
-  }
-
-  /// Branch and bound on the vertices whose core number admits a better clique.
-  void search_core() {
+  void search_survivors() {
+    const std::vector<Word> alive =
+        drop_small_degrees(graph_, degree_, incumbent_.to_beat(), num_threads_, budget_);
     std::vector<Index> survivors;
-    for (auto v = cores_.order.rbegin(); v != cores_.order.rend(); ++v) {
-      if (cores_.core[*v] >= incumbent_.to_beat()) survivors.push_back(*v);
-    }
+    for_each_bit(alive.data(), graph_.words_per_row, [&](Index v) { survivors.push_back(v); });
     const Index count = static_cast<Index>(survivors.size());
-    const bool copies =
-        count * words_for_bits(count) <= kMaxWordsOfFullCopy || 2 * count <= graph_.num_vertices;
-    if (!copies) {
-      lower_bound_to(RootSearch(graph_, cores_.core, incumbent_, budget_).run());
+    lower_bound_to(std::max(count, incumbent_.to_beat()));
+    if (settled()) return;
+    if (4 * count > 3 * graph_.num_vertices) {
+      SurvivorSearch search(graph_, incumbent_, budget_, num_threads_);
+      lower_bound_to(search.run(alive, must_exceed_ > 0));
       return;
     }
     PackedGraph packed;
     if (!packed.assign(graph_, survivors, &budget_)) return;
-    std::vector<Index> core(survivors.size());
-    std::vector<Index> number(graph_.num_vertices, -1);
-    for (Index i = 0; i < count; ++i) {
-      core[i] = cores_.core[survivors[i]];
-      number[survivors[i]] = i;
-    }
-    // The incumbent within the survivors: a clique, if maybe a smaller one.
-    std::vector<Index> known;
-    for (const Index v : incumbent_.clique()) {
-      if (number[v] >= 0) known.push_back(number[v]);
-    }
-    Incumbent packed_incumbent(std::move(known), incumbent_.to_beat());
-    lower_bound_to(is_nearly_complete(packed.view())
-                       ? ComplementSearch(packed.view(), packed_incumbent, budget_).run()
-                       : RootSearch(packed.view(), core, packed_incumbent, budget_).run());
-    std::vector<Index> clique;
-    for (const Index v : packed_incumbent.clique()) clique.push_back(packed.original(v));
-    incumbent_.offer(std::move(clique));
+    Incumbent inner = incumbent_within(packed, graph_.num_vertices, incumbent_);
+    std::vector<Word> all(packed.words_per_row(), 0);
+    for (Index v = 0; v < count; ++v) set_bit(all.data(), v);
+    SurvivorSearch search(packed.view(), inner, budget_, num_threads_);
+    lower_bound_to(search.run(all, must_exceed_ > 0));
+    incumbent_.offer(originals_of(packed, inner.clique()));
   }
 
   RowsView graph_;
@@ -155,8 +115,8 @@ class Solver {
   SearchBudget budget_;
   Index must_exceed_;
   Index upper_bound_;
+  int num_threads_;
   std::vector<Index> degree_;
-  Degeneracy cores_;
 };
 
 }  // namespace
@@ -168,6 +128,10 @@ void CliqueOptions::validate() const {
   }
   if (must_exceed < 0) {
     throw std::invalid_argument("must_exceed: " + std::to_string(must_exceed) + " is negative");
+  }
+  if (num_threads < 0 || num_threads > kMaxThreads) {
+    throw std::invalid_argument("num_threads: " + std::to_string(num_threads) +
+                                " is out of the range from 0 to " + std::to_string(kMaxThreads));
   }
 }
 

@@ -4,12 +4,13 @@
 #include <numeric>
 
 #include "kernels/bit_block.hpp"
+#include "kernels/branch_choice.hpp"
 
 namespace gmcr {
 
 bool PackedGraph::assign(RowsView graph, std::span<const Index> vertices, SearchBudget* budget) {
   vertices_.assign(vertices.begin(), vertices.end());
-  words_per_row_ = words_for_bits(num_vertices());
+  words_per_row_ = kernels::padded_words(num_vertices());
   words_.assign(static_cast<std::size_t>(num_vertices() * words_per_row_), 0);
   return graph.words_per_row <= num_vertices() ? copy_columns(graph, budget)
                                                : copy_bit_by_bit(graph, budget);

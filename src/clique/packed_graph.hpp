@@ -4,13 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "clique/bit_rows.hpp"
+#include "clique/aligned_words.hpp"
 #include "clique/search_budget.hpp"
 #include "kernels/bit_columns.hpp"
 
 namespace gmcr {
 
-/// Induced subgraph with its own, dense numbering; its memory is reused from one to the next.
+/// Induced subgraph with its own, dense numbering; its memory is reused from one to the next. Rows
+/// are padded and aligned for `kernels::choose_branches`.
 class PackedGraph {
  public:
   /// Becomes the subgraph of `graph` that `vertices` induce; vertex i of it is `vertices[i]`.
@@ -36,7 +37,7 @@ class PackedGraph {
 
   Index words_per_row_ = 0;
   std::vector<Index> vertices_;
-  std::vector<Word> words_;
+  AlignedWords words_;
   std::vector<Word> mask_;  // of the original graph: the vertices
   kernels::BitColumns columns_;
   std::vector<Word> half_ordered_;       // rows in order, columns ascending

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -29,8 +30,8 @@ class SearchBudget {
   /// @return false where the budget is spent; from then on always.
   bool spend_work(Index num_words) {
     words_since_poll_ += num_words;
+    work_ += static_cast<std::uint64_t>(num_words);
     if (words_since_poll_ >= kWordsPerPoll) {
-      work_ += static_cast<std::uint64_t>(words_since_poll_);
       words_since_poll_ = 0;
       spent_ = spent_ || work_ >= max_work_;
       out_of_time();
@@ -40,11 +41,33 @@ class SearchBudget {
 
   /// Reads the clock.
   bool out_of_time() {
-    spent_ = spent_ || deadline_.expired();
+    out_of_time_ = out_of_time_ || deadline_.expired();
+    spent_ = spent_ || out_of_time_;
     return spent_;
   }
 
+  /// A part of this budget: at most `max_nodes` nodes, the work left, the same deadline.
+  SearchBudget part(std::uint64_t max_nodes) const {
+    SearchBudget part(*this);
+    part.max_nodes_ = max_nodes;
+    part.max_work_ = max_work_ - std::min(work_, max_work_);
+    part.nodes_ = part.work_ = 0;
+    part.words_since_poll_ = 0;
+    return part;
+  }
+
+  /// Takes what a part of it spent.
+  void take(const SearchBudget& part) {
+    nodes_ += part.nodes_;
+    work_ += part.work_;
+    out_of_time_ = out_of_time_ || part.out_of_time_;
+    spent_ = spent_ || out_of_time_;
+  }
+
+  std::uint64_t work() const { return work_; }  ///< word operations so far, about
+  std::uint64_t nodes_left() const { return max_nodes_ - nodes_; }
   bool spent() const { return spent_; }
+  bool timed_out() const { return out_of_time_; }
   std::uint64_t nodes() const { return nodes_; }
 
  private:
@@ -57,6 +80,7 @@ class SearchBudget {
   std::uint64_t work_ = 0;
   Index words_since_poll_ = 0;
   bool spent_ = false;
+  bool out_of_time_ = false;
 };
 
 }  // namespace gmcr

@@ -96,9 +96,12 @@ RC_GTEST_PROP(BranchSelector, LeavesNoLargeCliqueOutsideItsBranches, ()) {
   const Index max_pruned = test::uniform_in(0, 12);
   BranchSelector selector;
   SearchBudget budget(1e9, 0);
-  selector.reset(graph, budget);
+  const PackedGraph packed = test::packed(graph);
+  selector.reset(packed);
+  AlignedWords all(packed.words_per_row(), 0);
+  for (Index v = 0; v < graph.num_vertices(); ++v) set_bit(all.data(), v);
   std::vector<Branch> branches;
-  const bool is_clique = selector.select(all_vertices(graph).data(), max_pruned, branches);
+  const bool is_clique = selector.select(all.data(), max_pruned, budget, branches);
   const Index n = graph.num_vertices();
   RC_ASSERT(is_clique == (graph.num_edges() == n * (n - 1) / 2));
 

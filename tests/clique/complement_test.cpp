@@ -83,7 +83,7 @@ RC_GTEST_PROP(ComplementSearch, FindsTheCliqueNumberOrProvesThatNoneIsLarger, ()
   const Index must_exceed = test::uniform_in(0, 17);
   Incumbent incumbent({0}, must_exceed);
   SearchBudget budget(kForever, kAnyNodes);
-  const Index bound = ComplementSearch(graph, incumbent, budget).run();
+  const Index bound = ComplementSearch(graph, incumbent, budget, 1).run();
   const Index clique_number = test::brute_force_clique_number(graph);
   std::vector<Index> clique = incumbent.clique();
   std::sort(clique.begin(), clique.end());
@@ -99,7 +99,7 @@ TEST(ComplementSearch, EveryNodeBudgetLeavesAValidBound) {
   for (std::uint64_t max_nodes = 0; max_nodes < 60; ++max_nodes) {
     Incumbent incumbent({0}, 0);
     SearchBudget budget(kForever, max_nodes);
-    EXPECT_GE(ComplementSearch(graph, incumbent, budget).run(), clique_number);
+    EXPECT_GE(ComplementSearch(graph, incumbent, budget, 1).run(), clique_number);
     EXPECT_LE(incumbent.size(), clique_number);
   }
 }

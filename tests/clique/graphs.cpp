@@ -68,6 +68,14 @@ BitsetGraph mycielskian(const BitsetGraph& graph) {
   return result;
 }
 
+PackedGraph packed(const BitsetGraph& graph) {
+  std::vector<Index> all(static_cast<std::size_t>(graph.num_vertices()));
+  std::iota(all.begin(), all.end(), Index{0});
+  PackedGraph result;
+  result.assign(graph, all);
+  return result;
+}
+
 BitsetGraph complement_of(const BitsetGraph& graph) {
   BitsetGraph result(graph.num_vertices());
   for (Index u = 0; u < graph.num_vertices(); ++u) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "clique/packed_graph.hpp"
 #include "gmcr/bitset_graph.hpp"
 
 namespace gmcr::test {
@@ -24,6 +25,9 @@ BitsetGraph disjoint_cliques(std::span<const Index> sizes);
 
 /// Mycielski's construction: as triangle-free as `graph`, with one colour more.
 BitsetGraph mycielskian(const BitsetGraph& graph);
+
+/// `graph` with the same numbers, in padded rows.
+PackedGraph packed(const BitsetGraph& graph);
 
 BitsetGraph complement_of(const BitsetGraph& graph);
 

@@ -48,14 +48,17 @@ TEST(CliqueLimits, EveryNodeBudgetOfTheInnerSearchLeavesAValidBound) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const BitsetGraph graph = test::random_graph(18, 0.3 + 0.015 * static_cast<double>(seed), seed);
     const Index clique_number = test::brute_force_clique_number(graph);
+    const PackedGraph packed = test::packed(graph);
     BranchAndBound search;
     for (std::uint64_t max_nodes = 0; max_nodes < 40; ++max_nodes) {
       for (const Index to_beat : {0, 3, 6}) {
         SearchBudget budget(1e9, max_nodes);
-        const auto outcome = search.search(graph, to_beat, budget);
-        EXPECT_GE(outcome.upper_bound, clique_number > to_beat ? clique_number : to_beat);
+        search.start(packed, to_beat, budget);
+        search.run(budget);
+        EXPECT_GE(search.upper_bound(), clique_number > to_beat ? clique_number : to_beat);
+        EXPECT_EQ(search.finished(), !budget.spent());
         if (!budget.spent()) {
-          EXPECT_EQ(outcome.upper_bound, std::max(clique_number, to_beat));
+          EXPECT_EQ(search.upper_bound(), std::max(clique_number, to_beat));
         }
       }
     }
@@ -154,8 +157,11 @@ TEST(CliqueLimits, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
   EXPECT_EQ(bounds.order.size(), 90u);
   EXPECT_GE(bounds.degeneracy, exact.degeneracy);
   for (Index v = 0; v < n; ++v) EXPECT_GE(bounds.core[v], exact.core[v]) << v;
-  const auto outcome = BranchAndBound().search(graph, 3, spent);
-  EXPECT_GE(outcome.upper_bound, clique_number);
+  BranchAndBound search;
+  const PackedGraph packed = test::packed(graph);
+  search.start(packed, 3, spent);
+  search.run(spent);
+  EXPECT_GE(search.upper_bound(), clique_number);
 }
 
 TEST(CliqueLimits, MustExceedProvesThatNoLargerCliqueExists) {
