@@ -68,15 +68,6 @@ void time_transpose(benchmark::State& state) {
   count_pairs(state, 64 * 64, 2 * sizeof(block));
 }
 
-void time_pair_lengths(benchmark::State& state) {
-  std::vector<double> source(kCount), target(kCount);
-  for (auto _ : state) {
-    kernels::pair_lengths(arrays(), 0, source, target);
-    benchmark::DoNotOptimize(source.data());
-  }
-  count_pairs(state, kCount - 1, 64.0 * kCount);
-}
-
 void time_residuals(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -152,7 +143,6 @@ void register_kernels() {
   register_on_every_isa("consistency_tile/one_scale_many_bounds", tiles(1, 1, false));
   register_on_every_isa("consistency_tile/range", tiles(0.9, 1, true));
   register_on_every_isa("transpose", time_transpose);
-  register_on_every_isa("pair_lengths", time_pair_lengths);
   register_on_every_isa("squared_residuals", time_residuals);
   register_on_every_isa("consensus", time_consensus);
   register_on_every_isa("rotation_row", time_rotation_rows);

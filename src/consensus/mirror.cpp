@@ -29,6 +29,20 @@ void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Body&
   });
 }
 
+/// Brings in the memory of a new graph, each thread that of rows side by side: threads that write
+/// to blocks would often wait for each other at one page.
+void touch_rows(BitsetGraph& graph, int num_threads) {
+  constexpr Index kChunk = 1024;
+  constexpr std::size_t kWordsPerPage = 512;
+  if (graph.num_vertices() <= kChunk) return;
+  parallel_for(graph.num_vertices(), kChunk, num_threads, [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) {
+      const auto row = graph.mutable_row(v);
+      for (std::size_t word = 0; word < row.size(); word += kWordsPerPage) row[word] = 0;
+    }
+  });
+}
+
 kernels::BitBlock read_block(const BitsetGraph& graph, Index row_block, Index column_block) {
   kernels::BitBlock bits{};
   const Index begin = row_block * kBlock, end = std::min(begin + kBlock, graph.num_vertices());
@@ -52,6 +66,7 @@ void write_block(BitsetGraph& graph, Index row_block, Index column_block,
 
 void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
                             const std::function<kernels::BitBlock(Index, Index)>& block) {
+  touch_rows(graph, num_threads);
   for_each_upper_block(graph, num_threads, [&](Index row, Index column) {
     kernels::BitBlock bits = block(row, column);
     write_block(graph, row, column, bits);

@@ -37,15 +37,4 @@ std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, doub
 void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,
                                double scale_max, std::span<std::uint64_t> row);
 
-/// Lengths |a_j - a_i| and |b_j - b_i| for each j in [i + 1, N), in order, by the instruction set
-/// of this machine.
-/// @param source_lengths, target_lengths  N - i - 1 values, metres.
-void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
-                  std::span<double> target_lengths);
-
-/// The same, one pair after the other, for each j in [max(first, i + 1), N): the specification.
-void pair_lengths_reference(const CorrespondenceArrays& arrays, Index i,
-                            std::span<double> source_lengths, std::span<double> target_lengths,
-                            Index first = 0);
-
 }  // namespace gmcr::kernels

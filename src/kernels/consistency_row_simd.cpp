@@ -106,20 +106,6 @@ void consistency_words(const CorrespondencePointers& arrays, Index i, double sca
   }
 }
 
-/// @return the first j whose lengths are not written yet: less than a vector is left.
-Index write_lengths(const CorrespondencePointers& arrays, Index i, double* source_lengths,
-                    double* target_lengths) {
-  const Lanes lanes;
-  const auto step = static_cast<Index>(hn::Lanes(lanes));
-  const PointTo source(arrays.source, i), target(arrays.target, i);
-  Index j = i + 1;
-  for (; j + step <= arrays.size; j += step) {
-    hn::StoreU(hn::Sqrt(source.squared_distances(j)), lanes, source_lengths + (j - i - 1));
-    hn::StoreU(hn::Sqrt(target.squared_distances(j)), lanes, target_lengths + (j - i - 1));
-  }
-  return j;
-}
-
 }  // namespace gmcr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -127,7 +113,6 @@ HWY_AFTER_NAMESPACE();
 namespace gmcr::kernels {
 
 HWY_EXPORT(consistency_words);
-HWY_EXPORT(write_lengths);
 
 namespace {
 
@@ -170,13 +155,6 @@ void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_m
     row[static_cast<std::size_t>(num_full_words)] = last_word(arrays, i, scale_min, scale_max);
   }
   row[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64));
-}
-
-void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
-                  std::span<double> target_lengths) {
-  const Index rest = HWY_DYNAMIC_DISPATCH(write_lengths)(
-      pointers_of(arrays), i, source_lengths.data(), target_lengths.data());
-  pair_lengths_reference(arrays, i, source_lengths, target_lengths, rest);
 }
 
 }  // namespace gmcr::kernels

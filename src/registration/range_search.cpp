@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "clique/bit_rows.hpp"
+#include "clique/core_filter.hpp"
 #include "clique/greedy.hpp"
 #include "clique/packed_graph.hpp"
 #include "consensus/consistency_graph.hpp"
 #include "estimation/constrained_fit.hpp"
-#include "kernels/bit_row.hpp"
-#include "parallel/parallel_for.hpp"
 #include "registration/local_optimisation.hpp"
 #include "registration/pattern_search.hpp"
 #include "registration/pose_from_clique.hpp"
@@ -38,18 +37,6 @@ void isolate(BitsetGraph& graph, Index v) {
   for_each_bit(row.data(), graph.words_per_row(),
                [&](Index u) { clear_bit(graph.mutable_row(u).data(), v); });
   std::fill(row.begin(), row.end(), 0);
-}
-
-/// Degrees of all vertices, in parallel where the graph is large.
-std::vector<Index> degrees(const BitsetGraph& graph, int num_threads) {
-  constexpr Index kRowsPerChunk = 512;
-  std::vector<Index> degrees(static_cast<std::size_t>(graph.num_vertices()));
-  parallel_for(graph.num_vertices(), kRowsPerChunk, num_threads, [&](Index begin, Index end) {
-    for (Index v = begin; v < end; ++v)
-      degrees[static_cast<std::size_t>(v)] =
-          kernels::count_bits(graph.row(v).data(), graph.words_per_row());
-  });
-  return degrees;
 }
 
 /// Most evidence of a clique with vertex v: that of v and its neighbours.
@@ -93,7 +80,7 @@ std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGra
       search.context()
           .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
           .vertices};
-  const std::vector<Index> degree = degrees(graph, 1);
+  const std::vector<Index> degree = degrees_of(graph, 1);
   std::vector<bool> covered(vertices.size(), false);
   for (const Index v : by_descending(degree)) {
     if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
@@ -218,7 +205,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   std::vector<Index> order;
   {
     const StageTimer timer(search.context(), "clique");
-    degree = degrees(range.graph, search.context().options().num_threads);
+    degree = degrees_of(range.graph, search.context().options().num_threads);
     order = by_descending(degree);
   }
   const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);

@@ -77,17 +77,5 @@ TEST(ConsistencyGraph, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(PairLengths, AreTheDistancesToAllLaterPoints) {
-  testing::RandomGeometry random(5);
-  const Correspondences c = random_correspondences(random, 20);
-  std::vector<double> source(16), target(16);
-  kernels::pair_lengths(consistency_arrays(c, 1), 3, source, target);
-  for (Index j = 4; j < 20; ++j) {
-    const auto k = static_cast<std::size_t>(j - 4);
-    EXPECT_DOUBLE_EQ(source[k], (c.source.col(j) - c.source.col(3)).norm());
-    EXPECT_DOUBLE_EQ(target[k], (c.target.col(j) - c.target.col(3)).norm());
-  }
-}
-
 }  // namespace
 }  // namespace gmcr

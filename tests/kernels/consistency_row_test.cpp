@@ -65,23 +65,6 @@ TEST(IsConsistent, IsL1ButForRounding) {
   EXPECT_LT(in_doubt, 200);
 }
 
-TEST(PairLengths, HaveTheBitsOfTheReferenceOnEveryInstructionSet) {
-  testing::for_each_isa([] {
-    for (Index count = 1; count <= 200; ++count) {
-      const auto arrays = random_arrays(static_cast<std::uint64_t>(count), count);
-      for (Index i = 0; i < count; i += 1 + count / 5) {
-        const auto rest = static_cast<std::size_t>(count - i - 1);
-        std::vector<double> source(rest), target(rest), source_reference(rest),
-            target_reference(rest);
-        kernels::pair_lengths(arrays, i, source, target);
-        kernels::pair_lengths_reference(arrays, i, source_reference, target_reference);
-        ASSERT_EQ(source, source_reference) << count << ' ' << i;
-        ASSERT_EQ(target, target_reference) << count << ' ' << i;
-      }
-    }
-  });
-}
-
 TEST(InstructionSets, AreNamedBestFirst) {
   const std::vector<std::string> names = supported_isas();
   ASSERT_FALSE(names.empty());

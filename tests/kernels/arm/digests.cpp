@@ -77,17 +77,6 @@ void digest_consistency(const char* name, const kernels::CorrespondenceArrays& a
   tiles.print((std::string("consistency_tiles ") + name).c_str());
 }
 
-void digest_lengths(const kernels::CorrespondenceArrays& arrays) {
-  Digest digest;
-  for (Index i = 0; i < arrays.size(); i += 17) {
-    std::vector<double> source(static_cast<std::size_t>(arrays.size() - i - 1)), target(source);
-    kernels::pair_lengths(arrays, i, source, target);
-    digest.add_all(source);
-    digest.add_all(target);
-  }
-  digest.print("pair_lengths");
-}
-
 void digest_residuals(Random& random, const kernels::CorrespondenceArrays& arrays) {
   gmcr::Similarity pose;
   pose.scale = 1.01;
@@ -155,7 +144,6 @@ int main() {
   auto arrays = matched_arrays(random, 700);
   digest_consistency("one scale", arrays, 1, 1);
   digest_consistency("a range", arrays, 0.8, 1.2);
-  digest_lengths(arrays);
   digest_residuals(random, arrays);
   for (double& bound : arrays.bounds) bound = random.uniform(0.001, 0.1);
   digest_consistency("many bounds", arrays, 1, 1);
