@@ -53,7 +53,7 @@ BitsetGraph induced_subgraph(const BitsetGraph& graph, const std::vector<Index>&
   packed.assign(graph, vertices);
   BitsetGraph subgraph(packed.num_vertices());
   for (Index v = 0; v < packed.num_vertices(); ++v) {
-    std::copy_n(packed.row(v), packed.words_per_row(), subgraph.mutable_row(v).begin());
+    std::copy_n(packed.row(v), subgraph.words_per_row(), subgraph.mutable_row(v).begin());
   }
   return subgraph;
 }
