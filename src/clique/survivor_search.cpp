@@ -8,7 +8,8 @@
 namespace gmcr {
 namespace {
 
-constexpr int kNumGreedyStarts = 16;
+// Starts of greedy cliques: one for 64 vertices, within these bounds.
+constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 16;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 
@@ -17,11 +18,13 @@ constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 void grow_cliques(RowsView graph, std::span<const Index> starts, std::span<const Index> priority,
                   Incumbent& incumbent, SearchBudget& budget, Index upper_bound) {
   std::vector<char> covered(graph.num_vertices, 0);
-  int num_starts = 0;
+  const Index max_starts =
+      std::clamp(graph.num_vertices / 64, kMinGreedyStarts, kMaxGreedyStarts);
+  Index num_starts = 0;
   for (const Index start : starts) {
     if (covered[start]) continue;
     if (upper_bound <= incumbent.to_beat() || budget.out_of_time()) return;
-    if (num_starts++ == kNumGreedyStarts) return;
+    if (num_starts++ == max_starts) return;
     std::vector<Index> clique = greedy_clique_by_candidates(graph, start, priority);
     for (const Index v : clique) covered[v] = 1;
     incumbent.offer(std::move(clique));
