@@ -16,21 +16,29 @@ REPORTS = {
     "clique": clique.report,
 }
 
+FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.draw}
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path, nargs="?", default=Path("out/bench"), help="where the records are")
-    folder = parser.parse_args().folder
+    parser.add_argument("--before", type=Path, help="folder of an earlier run, to compare with")
+    arguments = parser.parse_args()
+    folder = arguments.folder
     for name, report in REPORTS.items():
         records = read_records(folder / f"{name}.jsonl")
         if not records:
             continue
         path = folder / f"{name}.md"
-        path.write_text(report(records))
+        if name == "scaling":
+            before = read_records(arguments.before / "scaling.jsonl") if arguments.before else []
+            path.write_text(report(records, before))
+        else:
+            path.write_text(report(records))
         print(path)
-        if name == "paper_synthetic":
+        if name in FIGURES:
             figure = folder / f"{name}.png"
-            paper_synthetic.draw_success(records, figure)
+            FIGURES[name](records, figure)
             print(figure)
 
 

@@ -1,4 +1,5 @@
-// Time and success over the number of correspondences, random outliers in the bounding ball.
+// Time, memory and success over the number of correspondences and the share of outliers: random
+// outliers in the bounding ball.
 
 #include <fmt/core.h>
 
@@ -32,7 +33,6 @@ struct Settings {
   int num_seeds = 10;
   int threads = 0;
   TimeLimits limits{20, 20};
-  bool large = false;
   bool quick = false;
 };
 
@@ -43,30 +43,32 @@ bool is_hard(Index count, double rate) {
 
 std::vector<Case> list_cases(const Settings& settings) {
   std::vector<Case> cases;
-  std::vector<Index> known{1000, 5000, 10000};
-  std::vector<Index> unknown{80, 200, 500, 1000, 2000};
-  if (settings.quick) {
-    known = {1000, 5000};
-    unknown = {80, 200, 500, 1000};
-  }
-  const int num_seeds = settings.quick ? std::min(settings.num_seeds, 5) : settings.num_seeds;
-  for (const Index count : known) {
-    for (const double rate : {0.0, 0.5, 0.9, 0.95, 0.99}) {
-      cases.push_back({true, count, rate, num_seeds});
+  const int few = std::min(settings.num_seeds, settings.quick ? 3 : 5);
+  const auto add = [&](bool scale_known, Index count, std::vector<double> rates, int num_seeds) {
+    for (const double rate : rates) {
+      const bool hard = !scale_known && is_hard(count, rate) && !settings.quick;
+      cases.push_back(
+          {scale_known, count, rate, hard ? std::max(num_seeds, kHardSeeds) : num_seeds});
     }
+  };
+  const int seeds = settings.quick ? few : settings.num_seeds;
+  for (const Index count : {1, 3, 10, 30, 100, 300}) add(true, count, {0.9}, seeds);
+  add(true, 1000, {0, 0.5, 0.9, 0.95, 0.99}, seeds);
+  add(true, 3000, {0.9, 0.99}, seeds);
+  add(true, 5000, {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99}, seeds);
+  if (!settings.quick) {
+    add(true, 10000, {0, 0.5, 0.9, 0.95, 0.99}, seeds);
+    add(true, 30000, {0.9, 0.99}, few);
+    add(true, 50000, {0.99}, few);
+    add(true, 100000, {0.99}, few);
   }
-  for (const Index count : unknown) {
-    for (const double rate : {0.5, 0.8, 0.9, 0.95, 0.98}) {
-      if (rate == 0.98 && count != 1000) continue;
-      const bool more = is_hard(count, rate) && !settings.quick;
-      cases.push_back({false, count, rate, more ? std::max(num_seeds, kHardSeeds) : num_seeds});
-    }
-  }
-  if (settings.large) {
-    cases.push_back({true, 50000, 0.99, 1});
-    cases.push_back({true, 100000, 0.99, 1});
-    cases.push_back({false, 5000, 0.9, num_seeds});
-    cases.push_back({false, 10000, 0.9, num_seeds});
+  for (const Index count : {1, 3, 10, 30}) add(false, count, {0.9}, seeds);
+  for (const Index count : {80, 200, 500}) add(false, count, {0.5, 0.8, 0.9, 0.95}, seeds);
+  add(false, 1000, {0.5, 0.8, 0.9, 0.95, 0.98}, seeds);
+  if (!settings.quick) {
+    add(false, 2000, {0.5, 0.8, 0.9, 0.95}, seeds);
+    add(false, 5000, {0.9}, few);
+    add(false, 10000, {0.9}, few);
   }
   return cases;
 }
@@ -146,8 +148,7 @@ int main(int argc, char** argv) {
   app.add_option("--time-limit", settings.limits.solve, "seconds a solve")->capture_default_str();
   app.add_option("--certify-time-limit", settings.limits.certify, "seconds a solve that certifies")
       ->capture_default_str();
-  app.add_flag("--large", settings.large, "also N = 50,000 and 100,000");
-  app.add_flag("--quick", settings.quick, "no N = 10,000 and 2,000");
+  app.add_flag("--quick", settings.quick, "fewer problems, none of the largest");
   CLI11_PARSE(app, argc, argv);
   try {
     run(settings);

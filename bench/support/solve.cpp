@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <fstream>
+#include <optional>
+#include <string>
 
 #include "gmcr/metrics.hpp"
 #include "gmcr/registration.hpp"
@@ -19,10 +22,23 @@ Index count_true_inliers(const Problem& problem) {
   return (residuals <= problem.noise_bound).count();
 }
 
-/// The result of the last solve; writes the wall times into the record.
+/// Starts the peak of the resident memory of this process anew, where the system can.
+void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+/// Bytes at the peak; nullopt where the system does not tell.
+std::optional<std::size_t> peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * 1024;
+  }
+  return std::nullopt;
+}
+
+/// The result of the last solve; writes the wall times and the peak of memory into the record.
 Result time_solves(const Problem& problem, const Options& options, int repetitions, Json& record) {
   Result result;
   std::vector<double> wall_ms;
+  reset_peak_memory();
   for (int i = 0; i < repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     result = register_correspondences(problem.source, problem.target, options);
@@ -35,6 +51,7 @@ Result time_solves(const Problem& problem, const Options& options, int repetitio
   record["wall_ms"] = quantile(wall_ms, 0.5);
   record["wall_ms_quartiles"] = {quantile(wall_ms, 0.25), quantile(wall_ms, 0.75)};
   record["repetitions"] = wall_ms.size();
+  if (const auto bytes = peak_memory()) record["peak_memory_bytes"] = *bytes;
   return result;
 }
 

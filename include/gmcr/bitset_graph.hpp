@@ -8,6 +8,32 @@
 #include "gmcr/types.hpp"
 
 namespace gmcr {
+namespace detail {
+
+/// Memory that reads as 0 and that the threads which first write to it bring in, in large pages
+/// where the system grants them.
+/// @throws std::bad_alloc
+void* allocate_zeroed(std::size_t bytes);
+void free_zeroed(void* memory) noexcept;
+
+/// Allocator of vectors whose new elements are 0 without being written.
+template <typename T>
+struct ZeroedAllocator {
+  using value_type = T;
+  ZeroedAllocator() = default;
+  template <typename U>
+  ZeroedAllocator(const ZeroedAllocator<U>&) {}
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_zeroed(count * sizeof(T))); }
+  void deallocate(T* memory, std::size_t) { free_zeroed(memory); }
+  void construct(T*) {}  // is 0 already
+  template <typename U>
+  void construct(T* place, const U& value) {
+    *place = value;
+  }
+  bool operator==(const ZeroedAllocator&) const = default;
+};
+
+}  // namespace detail
 
 /// Undirected simple graph, one bit a vertex pair: row v holds the neighbours of v.
 ///
@@ -49,7 +75,7 @@ class BitsetGraph {
  private:
   Index num_vertices_ = 0;
   Index words_per_row_ = 0;
-  std::vector<Word> words_;
+  std::vector<Word, detail::ZeroedAllocator<Word>> words_;  // sized once
 };
 
 }  // namespace gmcr

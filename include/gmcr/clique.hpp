@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -57,6 +58,11 @@ struct WeightedCliqueOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
   std::uint64_t max_nodes =
       std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
+  /// Word operations, about, of the search and of what prepares it; deterministic. 2^30 take about
+  /// a second.
+  std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
+  /// Bytes for copies of parts of the graph; what needs more is not searched, only bounded.
+  std::size_t max_memory = std::numeric_limits<std::size_t>::max();
   /// Report only a clique that weighs more than this, >= 0; 0 reports any. As in `CliqueOptions`,
   /// a search that proves that there is none may return none or a lighter one.
   double must_exceed = 0;

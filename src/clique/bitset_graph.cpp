@@ -1,10 +1,34 @@
 #include "gmcr/bitset_graph.hpp"
 
+#include <sys/mman.h>
+
 #include <bit>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string>
 
 namespace gmcr {
+namespace detail {
+
+void* allocate_zeroed(std::size_t bytes) {
+  constexpr std::size_t kPage = 4096, kLarge = std::size_t{4} << 20;
+  void* const memory = std::calloc(1, bytes);
+  if (memory == nullptr && bytes != 0) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (bytes >= kLarge) {  // fewer page faults; only a hint
+    const auto first = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  }
+#endif
+  return memory;
+}
+
+void free_zeroed(void* memory) noexcept { std::free(memory); }
+
+}  // namespace detail
+
 namespace {
 
 Index words_for(Index num_vertices) {

@@ -13,8 +13,10 @@ struct GrowingClique {
   std::vector<Index> clique;
   std::vector<Word> candidates;
 
-  GrowingClique(RowsView graph, Index start)
-      : clique{start}, candidates(graph.row(start), graph.row(start) + graph.words_per_row) {}
+  GrowingClique(RowsView graph, Index start, std::span<const Word> allowed)
+      : clique{start}, candidates(graph.row(start), graph.row(start) + graph.words_per_row) {
+    for (std::size_t w = 0; w < allowed.size(); ++w) candidates[w] &= allowed[w];
+  }
 
   bool is_candidate(Index v) const { return test_bit(candidates.data(), v); }
 
@@ -40,10 +42,11 @@ void check_arguments(RowsView graph, Index start, std::span<const Index> priorit
   }
 }
 
-std::vector<Index> candidates_by_priority(RowsView graph, Index start,
+std::vector<Index> candidates_by_priority(std::span<const Word> mask,
                                           std::span<const Index> priority) {
   std::vector<Index> candidates;
-  for_each_bit(graph.row(start), graph.words_per_row, [&](Index v) { candidates.push_back(v); });
+  for_each_bit(mask.data(), static_cast<Index>(mask.size()),
+               [&](Index v) { candidates.push_back(v); });
   if (!priority.empty()) {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](Index a, Index b) { return priority[a] > priority[b]; });
@@ -82,10 +85,11 @@ std::vector<Index> greedy_clique(RowsView graph, Index start, std::span<const In
 
 std::vector<Index> greedy_clique_by_candidates(RowsView graph, Index start,
                                                std::span<const Index> priority,
-                                               Index max_candidates) {
+                                               Index max_candidates,
+                                               std::span<const Word> allowed) {
   check_arguments(graph, start, priority);
-  GrowingClique growing(graph, start);
-  std::vector<Index> candidates = candidates_by_priority(graph, start, priority);
+  GrowingClique growing(graph, start, allowed);
+  std::vector<Index> candidates = candidates_by_priority(growing.candidates, priority);
   Index num_candidates = static_cast<Index>(candidates.size());
   for (const Index v : candidates) {
     if (num_candidates <= max_candidates) break;

@@ -22,16 +22,16 @@ class Solver {
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
-        budget_(options.time_limit, options.max_nodes),
+        budget_(options.time_limit, options.max_nodes, options.max_work),
+        max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}
 
   WeightedCliqueResult solve(std::span<const double> weights) {
     const bool asks_for_proof = incumbent_.to_beat() > 0;
     if (!settled()) offer_heaviest_vertex();
     // Most likely nothing exceeds a given weight: a bound may show it without any clique.
-    if (!settled()) bound_by_colors(vertices_with_weight());
     if (!settled()) peel_graph();
-    if (!settled()) bound_by_colors(peeling_.alive());
+    if (!settled()) bound_by_colors();
     if (!settled()) grow_cliques(asks_for_proof ? kNumGreedyStartsOfProof : kNumGreedyStarts);
     if (!settled()) search_survivors();
     WeightedCliqueResult result;
@@ -54,8 +54,7 @@ class Solver {
   }
 
   void peel_graph() {
-    peeling_.reset(graph_, weights_.units(), budget_);
-    lower_bound_to(peeling_.heaviest_neighborhood());
+    peeling_.reset(graph_, weights_.units(), incumbent_.to_beat(), budget_);
     peel();
   }
 
@@ -64,18 +63,10 @@ class Solver {
     lower_bound_to(std::max(incumbent_.to_beat(), peeling_.heaviest_neighborhood()));
   }
 
-  std::vector<Word> vertices_with_weight() const {
-    std::vector<Word> vertices(graph_.words_per_row, 0);
-    for (Index v = 0; v < graph_.num_vertices; ++v) {
-      if (weights_.units()[v] > 0) set_bit(vertices.data(), v);
-    }
-    return vertices;
-  }
-
-  void bound_by_colors(const std::vector<Word>& vertices) {
+  void bound_by_colors() {
     WeightedColoring coloring;
     coloring.reset(graph_, weights_.units(), budget_);
-    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(vertices.data())));
+    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(peeling_.alive().data())));
   }
 
   /// From the heaviest neighbourhoods that no clique so far covers.
@@ -99,19 +90,16 @@ class Solver {
     }
   }
 
-  /// Branch and bound on what is left.
+  /// Branch and bound on what is left, if it may be copied.
   void search_survivors() {
-    std::vector<Index> survivors;
-    for_each_bit(peeling_.alive().data(), graph_.words_per_row,
-                 [&](Index v) { survivors.push_back(v); });
-    OrderedPart unordered, part;
-    if (!unordered.assign(graph_, weights_.units(), survivors, budget_)) return;
-    std::vector<Index> order = best_first_order(unordered.graph.view(), budget_);
-    for (Index& v : order) v = survivors[v];
+    constexpr std::size_t kCopies = 2;
+    if (kCopies * BitsetGraph::bytes_required(peeling_.num_alive()) > max_memory_) return;
+    std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);
     for (const Index v : incumbent_.clique()) known[v] = 1;
     std::stable_partition(order.begin(), order.end(), [&](Index v) { return known[v]; });
+    OrderedPart part;
     if (!part.assign(graph_, weights_.units(), order, budget_)) return;
     lower_bound_to(WeightedRootSearch(part, incumbent_, budget_).run());
   }
@@ -120,6 +108,7 @@ class Solver {
   const FixedPointWeights& weights_;
   WeightedIncumbent incumbent_;
   SearchBudget budget_;
+  std::size_t max_memory_;
   std::int64_t upper_bound_;
   WeightedPeeling peeling_;
 };

@@ -1,5 +1,9 @@
 #include "clique/packed_graph.hpp"
 
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/bit_block.hpp"
 #include "kernels/branch_choice.hpp"
 
 namespace gmcr {
@@ -8,28 +12,48 @@ bool PackedGraph::assign(RowsView graph, std::span<const Index> vertices, Search
   vertices_.assign(vertices.begin(), vertices.end());
   words_per_row_ = kernels::padded_words(num_vertices());
   words_.assign(static_cast<std::size_t>(num_vertices() * words_per_row_), 0);
-  return graph.words_per_row <= num_vertices() ? copy_set_bits(graph, budget)
+  return graph.words_per_row <= num_vertices() ? copy_columns(graph, budget)
                                                : copy_bit_by_bit(graph, budget);
 }
 
-bool PackedGraph::copy_set_bits(RowsView graph, SearchBudget* budget) {
+/// Takes the rows in the order wanted and their columns in ascending order. Since the graph is
+/// symmetric, the transpose of that, with its rows put in order, has both in order.
+bool PackedGraph::copy_columns(RowsView graph, SearchBudget* budget) {
   mask_.assign(graph.words_per_row, 0);
-  number_of_.resize(graph.num_vertices);
+  for (const Index v : vertices_) set_bit(mask_.data(), v);
+  columns_.reset(mask_.data(), graph.words_per_row);
+  const bool ascending = std::is_sorted(vertices_.begin(), vertices_.end());
+  if (!ascending) half_ordered_.assign(words_.size(), 0);
+  Word* rows = ascending ? words_.data() : half_ordered_.data();
   for (Index i = 0; i < num_vertices(); ++i) {
-    set_bit(mask_.data(), vertices_[i]);
-    number_of_[vertices_[i]] = static_cast<std::int32_t>(i);
+    if (budget && !budget->spend_work(graph.words_per_row)) return false;
+    columns_.copy(graph.row(vertices_[i]), rows + i * words_per_row_);
   }
-  for (Index i = 0; i < num_vertices(); ++i) {
-    if (budget && !budget->spend_work(graph.words_per_row + num_vertices())) return false;
-    const Word* from = graph.row(vertices_[i]);
-    Word* to = words_.data() + i * words_per_row_;
-    for (Index w = 0; w < graph.words_per_row; ++w) {
-      for (Word rest = from[w] & mask_[w]; rest != 0; rest &= rest - 1) {
-        set_bit(to, number_of_[w * kBitsPerWord + std::countr_zero(rest)]);
+  if (!ascending) order_columns();
+  return true;
+}
+
+void PackedGraph::order_columns() {
+  const Index n = num_vertices(), num_blocks = words_for_bits(n);
+  ascending_.resize(n);
+  std::iota(ascending_.begin(), ascending_.end(), 0);
+  std::sort(ascending_.begin(), ascending_.end(),
+            [&](std::int32_t a, std::int32_t b) { return vertices_[a] < vertices_[b]; });
+  kernels::BitBlock block;
+  for (Index row = 0; row < num_blocks; ++row) {
+    const Index first = row * kBitsPerWord, num_rows = std::min(kBitsPerWord, n - first);
+    for (Index column = 0; column < num_blocks; ++column) {
+      const Index begin = column * kBitsPerWord, num_columns = std::min(kBitsPerWord, n - begin);
+      block.fill(0);
+      for (Index r = 0; r < num_rows; ++r) {
+        block[r] = half_ordered_[(first + r) * words_per_row_ + column];
+      }
+      kernels::transpose(block);
+      for (Index c = 0; c < num_columns; ++c) {
+        words_[ascending_[begin + c] * words_per_row_ + row] = block[c];
       }
     }
   }
-  return true;
 }
 
 bool PackedGraph::copy_bit_by_bit(RowsView graph, SearchBudget* budget) {

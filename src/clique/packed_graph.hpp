@@ -6,6 +6,7 @@
 
 #include "clique/aligned_words.hpp"
 #include "clique/search_budget.hpp"
+#include "kernels/bit_columns.hpp"
 
 namespace gmcr {
 
@@ -17,7 +18,8 @@ class PackedGraph {
   /// @param vertices  distinct vertices of `graph`, in any order.
   /// @param budget    null: none.
   /// @return false where the budget ended before the edges were all there.
-  /// Cost O(k min(k, n / 64 + d)) for k vertices of n with d neighbours each.
+  /// Cost O(k min(k, n / 64)) for k vertices of n. Memory: twice the result where the vertices do
+  /// not ascend.
   bool assign(RowsView graph, std::span<const Index> vertices, SearchBudget* budget = nullptr);
 
   Index num_vertices() const { return static_cast<Index>(vertices_.size()); }
@@ -29,14 +31,17 @@ class PackedGraph {
   Index original(Index v) const { return vertices_[v]; }
 
  private:
-  bool copy_set_bits(RowsView graph, SearchBudget* budget);
+  bool copy_columns(RowsView graph, SearchBudget* budget);
+  void order_columns();
   bool copy_bit_by_bit(RowsView graph, SearchBudget* budget);
 
   Index words_per_row_ = 0;
   std::vector<Index> vertices_;
   AlignedWords words_;
-  std::vector<Word> mask_;               // of the original graph: the vertices
-  std::vector<std::int32_t> number_of_;  // of the original graph: numbers here
+  std::vector<Word> mask_;  // of the original graph: the vertices
+  kernels::BitColumns columns_;
+  std::vector<Word> half_ordered_;       // rows in order, columns ascending
+  std::vector<std::int32_t> ascending_;  // numbers here, by ascending original
 };
 
 }  // namespace gmcr

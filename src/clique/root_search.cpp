@@ -16,14 +16,14 @@ constexpr Index kMaxWordsOfActive = Index{1} << 25;  // 256 MiB for their neighb
 constexpr Index kFirstWorkPerRound = Index{1} << 20, kMaxWorkPerRound = Index{1} << 24;
 constexpr Index kMinNodesPerRound = 16;
 // Rounds of less work than this take less time than starting threads.
-constexpr Index kMinWorkForThreads = Index{1} << 21;
+constexpr std::uint64_t kMinWorkForThreads = std::uint64_t{1} << 21;
 
 // Swaps improve the clique of a graph this dense in about a millisecond, which saves a part of a
 // search that takes longer.
 constexpr double kMinDensityToSwap = 0.6;
 constexpr Index kMaxVerticesToSwap = 2000;
 constexpr Index kSwapWork = Index{1} << 19;
-constexpr Index kMinWorkToSwap = Index{1} << 21;
+constexpr std::uint64_t kMinWorkToSwap = std::uint64_t{1} << 21;
 
 }  // namespace
 
@@ -39,12 +39,12 @@ Index RootSearch::run() {
   // rounds are small, as they may find better cliques and settle easy graphs.
   std::size_t num_active = 1;
   work_each_ = kFirstWorkPerRound;
-  Index last_work = 0;
-  const Index work_at_start = budget_.work();
+  std::uint64_t last_work = 0;
+  const std::uint64_t work_at_start = budget_.work();
   while (true) {
     if (!fill(num_active)) break;
     if (active_.empty()) return incumbent_.to_beat();
-    const Index work_before = budget_.work();
+    const std::uint64_t work_before = budget_.work();
     advance_all(last_work < kMinWorkForThreads ? 1 : num_threads_);
     last_work = budget_.work() - work_before;
     if (budget_.spent()) break;

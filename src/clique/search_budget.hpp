@@ -1,17 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "gmcr/types.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr {
 
-/// Time and search nodes that a clique search may still spend.
+/// Time, search nodes and work that a clique search may still spend.
 class SearchBudget {
  public:
-  SearchBudget(double time_limit, std::uint64_t max_nodes)
-      : deadline_(time_limit), max_nodes_(max_nodes) {}
+  static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  /// @param max_work  word operations; counted in steps of about 0.1 ms.
+  SearchBudget(double time_limit, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
+      : deadline_(time_limit), max_nodes_(max_nodes), max_work_(max_work) {}
 
   /// Takes one search node that costs about `num_words` word operations.
   /// @return false where the budget is spent; from then on always.
@@ -25,9 +29,10 @@ class SearchBudget {
   /// @return false where the budget is spent; from then on always.
   bool spend_work(Index num_words) {
     words_since_poll_ += num_words;
-    work_ += num_words;
     if (words_since_poll_ >= kWordsPerPoll) {
+      work_ += static_cast<std::uint64_t>(words_since_poll_);
       words_since_poll_ = 0;
+      spent_ = spent_ || work_ >= max_work_;
       out_of_time();
     }
     return !spent_;
@@ -45,22 +50,25 @@ class SearchBudget {
     SearchBudget part(*this);
     part.max_nodes_ = max_nodes;
     part.nodes_ = 0;
-    part.words_since_poll_ = part.work_ = 0;
+    if (max_work_ != kNoLimit) part.max_work_ = max_work_ - work_;
+    part.work_ = 0;
+    part.words_since_poll_ = 0;
     return part;
   }
 
   /// Takes what a part of it spent.
   void take(const SearchBudget& part) {
     nodes_ += part.nodes_;
-    work_ += part.work_;
+    work_ += part.work();
     out_of_time_ = out_of_time_ || part.out_of_time_;
     spent_ = spent_ || out_of_time_;
   }
 
-  Index work() const { return work_; }  ///< word operations so far, about
+  /// Word operations so far, about.
+  std::uint64_t work() const { return work_ + static_cast<std::uint64_t>(words_since_poll_); }
+
   std::uint64_t nodes_left() const { return max_nodes_ - nodes_; }
   bool spent() const { return spent_; }
-  bool timed_out() const { return out_of_time_; }
   std::uint64_t nodes() const { return nodes_; }
 
  private:
@@ -68,9 +76,10 @@ class SearchBudget {
 
   Deadline deadline_;
   std::uint64_t max_nodes_;
+  std::uint64_t max_work_;
   std::uint64_t nodes_ = 0;
+  std::uint64_t work_ = 0;
   Index words_since_poll_ = 0;
-  Index work_ = 0;
   bool spent_ = false;
   bool out_of_time_ = false;
 };

@@ -18,8 +18,7 @@ constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 void grow_cliques(RowsView graph, std::span<const Index> starts, std::span<const Index> priority,
                   Incumbent& incumbent, SearchBudget& budget, Index upper_bound) {
   std::vector<char> covered(graph.num_vertices, 0);
-  const Index max_starts =
-      std::clamp(graph.num_vertices / 64, kMinGreedyStarts, kMaxGreedyStarts);
+  const Index max_starts = std::clamp(graph.num_vertices / 64, kMinGreedyStarts, kMaxGreedyStarts);
   Index num_starts = 0;
   for (const Index start : starts) {
     if (covered[start]) continue;

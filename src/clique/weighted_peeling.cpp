@@ -1,11 +1,20 @@
 #include "clique/weighted_peeling.hpp"
 
+#include <algorithm>
 #include <numeric>
 
+#include "kernels/bit_row.hpp"
+
 namespace gmcr {
+namespace {
+
+// A pass over the graph that drops less than one vertex of so many is the last.
+constexpr Index kLeastShareToRepeat = 16;
+
+}  // namespace
 
 void WeightedPeeling::reset(RowsView graph, std::span<const std::int64_t> units,
-                            SearchBudget& budget) {
+                            std::int64_t to_beat, SearchBudget& budget) {
   graph_ = graph;
   units_ = units;
   budget_ = &budget;
@@ -16,32 +25,50 @@ void WeightedPeeling::reset(RowsView graph, std::span<const std::int64_t> units,
     set_bit(alive_.data(), v);
     ++num_alive_;
   }
-  const std::int64_t total = std::accumulate(units.begin(), units.end(), std::int64_t{0});
-  neighborhood_.resize(graph.num_vertices);
-  for (Index v = 0; v < graph.num_vertices; ++v) {
-    neighborhood_[v] = total;
-    Index degree = 0;
-    std::int64_t sum = units[v];
-    if (budget.spent()) continue;
-    for_each_bit(graph.row(v), graph.words_per_row, [&](Index u) {
-      sum += units[u];
-      ++degree;
+  drop_few_neighbors(to_beat);
+  sum_neighborhoods();
+}
+
+/// Counts take a fraction of the time of sums, and of most graphs leave little to sum.
+void WeightedPeeling::drop_few_neighbors(std::int64_t to_beat) {
+  const Index words = graph_.words_per_row;
+  std::int64_t heaviest = 0;
+  for (const std::int64_t weight : units_) heaviest = std::max(heaviest, weight);
+  if (heaviest == 0) return;
+  const Index least_degree = static_cast<Index>(to_beat / heaviest);  // degree + 1 must exceed it
+  for (Index dropped = num_alive_; dropped > num_alive_ / kLeastShareToRepeat;) {
+    dropped = 0;
+    for_each_bit(alive_.data(), words, [&](Index v) {
+      if (!budget_->spend_work(words)) return;
+      if (kernels::count_common_bits(graph_.row(v), alive_.data(), words) >= least_degree) return;
+      clear_bit(alive_.data(), v);
+      ++dropped;
     });
-    neighborhood_[v] = sum;
-    budget.spend_work(graph.words_per_row + degree);
+    num_alive_ -= dropped;
+    if (dropped == 0) break;
   }
 }
 
-void WeightedPeeling::peel(std::int64_t to_beat) {
-  const auto drop = [&](Index v) {
-    clear_bit(alive_.data(), v);
-    --num_alive_;
-    dropped_.push_back(v);
-  };
-  dropped_.clear();
-  for_each_bit(alive_.data(), graph_.words_per_row, [&](Index v) {
-    if (neighborhood_[v] <= to_beat) drop(v);
+void WeightedPeeling::sum_neighborhoods() {
+  const Index n = graph_.num_vertices, words = graph_.words_per_row;
+  const std::int64_t total = std::accumulate(units_.begin(), units_.end(), std::int64_t{0});
+  neighborhood_.assign(n, total);
+  for_each_bit(alive_.data(), words, [&](Index v) {
+    if (budget_->spent()) return;
+    neighborhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
+                                                                 words, units_.data(), n);
+    budget_->spend_work(words);
   });
+}
+
+void WeightedPeeling::peel(std::int64_t to_beat) {
+  drop_light(to_beat);
+  // where most vertices go, new sums cost less than to tell all their neighbours
+  while (static_cast<Index>(dropped_.size()) > num_alive_ && num_alive_ > 0) {
+    sum_neighborhoods();
+    if (budget_->spent()) return;
+    drop_light(to_beat);
+  }
   while (!dropped_.empty() && num_alive_ > 0) {
     const Index v = dropped_.back();
     dropped_.pop_back();
@@ -57,6 +84,19 @@ void WeightedPeeling::peel(std::int64_t to_beat) {
     }
     if (!budget_->spend_work(graph_.words_per_row + degree)) return;
   }
+}
+
+void WeightedPeeling::drop_light(std::int64_t to_beat) {
+  dropped_.clear();
+  for_each_bit(alive_.data(), graph_.words_per_row, [&](Index v) {
+    if (neighborhood_[v] <= to_beat) drop(v);
+  });
+}
+
+void WeightedPeeling::drop(Index v) {
+  clear_bit(alive_.data(), v);
+  --num_alive_;
+  dropped_.push_back(v);
 }
 
 std::int64_t WeightedPeeling::heaviest_neighborhood() const {

@@ -15,11 +15,13 @@ namespace gmcr {
 /// neighbourhoods lighter: the weighted form of the core of a graph.
 class WeightedPeeling {
  public:
-  /// Starts with all vertices of positive weight.
+  /// Starts with the vertices of positive weight, less those whose neighbours are too few to weigh
+  /// more than `to_beat` even if each were as heavy as the heaviest.
   /// @param units   one weight a vertex; outlives this use.
   /// @param budget  outlives this use. Once it is spent, neighbourhoods are only bounded.
-  /// Cost O(E + n^2 / 64).
-  void reset(RowsView graph, std::span<const std::int64_t> units, SearchBudget& budget);
+  /// Cost O(n^2 / 64) and the edges of the vertices left.
+  void reset(RowsView graph, std::span<const std::int64_t> units, std::int64_t to_beat,
+             SearchBudget& budget);
 
   /// Drops vertices until every neighbourhood left weighs more than `to_beat`, or the budget ends.
   /// No clique that weighs more loses a vertex. Cost O(e + k n / 64) for k vertices dropped, with e
@@ -36,6 +38,11 @@ class WeightedPeeling {
   std::int64_t heaviest_neighborhood() const;
 
  private:
+  void drop_few_neighbors(std::int64_t to_beat);
+  void sum_neighborhoods();
+  void drop_light(std::int64_t to_beat);
+  void drop(Index v);
+
   RowsView graph_;
   std::span<const std::int64_t> units_;
   SearchBudget* budget_ = nullptr;

@@ -1,6 +1,6 @@
 #include "clique/weighted_root_search.hpp"
 
-#include "clique/degeneracy.hpp"
+#include <algorithm>
 
 namespace gmcr {
 
@@ -11,9 +11,13 @@ bool OrderedPart::assign(RowsView from, std::span<const std::int64_t> from_units
   return graph.assign(from, vertices, &budget);
 }
 
-std::vector<Index> best_first_order(RowsView graph, SearchBudget& budget) {
-  std::vector<Index> order = degeneracy_order(graph, &budget).order;
-  std::reverse(order.begin(), order.end());
+std::vector<Index> best_first_order(const WeightedPeeling& peeling) {
+  std::vector<Index> order;
+  for_each_bit(peeling.alive().data(), static_cast<Index>(peeling.alive().size()),
+               [&](Index v) { order.push_back(v); });
+  const auto neighborhoods = peeling.neighborhoods();
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return neighborhoods[a] > neighborhoods[b]; });
   return order;
 }
 
@@ -85,11 +89,9 @@ std::int64_t WeightedRootSearch::solve_subproblem(Index vertex, std::int64_t rea
 
 std::vector<Index> WeightedRootSearch::surviving_vertices(std::int64_t to_beat) {
   const RowsView nearby = neighborhood_.graph.view();
-  peeling_.reset(nearby, neighborhood_.units, budget_);
+  peeling_.reset(nearby, neighborhood_.units, to_beat, budget_);
   peeling_.peel(to_beat);
-  std::vector<Index> order = best_first_order(nearby, budget_);
-  std::erase_if(order, [&](Index v) { return !test_bit(peeling_.alive().data(), v); });
-  return order;
+  return best_first_order(peeling_);
 }
 
 }  // namespace gmcr

@@ -24,8 +24,9 @@ struct OrderedPart {
               std::span<const Index> vertices, SearchBudget& budget);
 };
 
-/// Vertices of `graph` in the order that searches and colourings prefer: by descending core number.
-std::vector<Index> best_first_order(RowsView graph, SearchBudget& budget);
+/// The vertices left in the order that searches and colourings prefer: heaviest neighbourhood
+/// first.
+std::vector<Index> best_first_order(const WeightedPeeling& peeling);
 
 /// The search below the root: one subproblem for each vertex that a weighted colouring leaves over.
 class WeightedRootSearch {

@@ -3,16 +3,9 @@
 #include <limits>
 
 #include "consensus/mirror.hpp"
-#include "parallel/parallel_for.hpp"
+#include "kernels/consistency_tiles.hpp"
 
 namespace gmcr {
-namespace {
-
-constexpr Index kBlock = BitsetGraph::kBitsPerWord;
-constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-
-}  // namespace
-
 kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
                                                  double scale_max) {
   // a residual of the caller's coordinates is off by a few units in the last place of its terms
@@ -29,15 +22,9 @@ kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspo
 BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
                               int num_threads) {
   BitsetGraph graph(arrays.size());
-  const int threads = arrays.size() < kSmall ? 1 : num_threads;
-  // the words from the diagonal on; the others mirror them
-  parallel_for(graph.num_vertices(), kBlock, threads, [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      kernels::consistency_row(arrays, i, scales.min, scales.max, graph.mutable_row(i),
-                               begin / kBlock);
-    }
-  });
-  mirror_upper_blocks(graph, threads);
+  const kernels::ConsistencyTiles tiles(arrays, scales.min, scales.max);
+  write_symmetric_blocks(graph, num_threads,
+                         [&](Index row, Index column) { return tiles.tile(row, column); });
   return graph;
 }
 

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
+#include "gmcr/options.hpp"
 #include "invariants/correspondences.hpp"
 
 namespace gmcr {
@@ -21,26 +23,31 @@ class DistinctEvidence {
   /// these are few; farther ones would take dense inliers for copies.
   static constexpr double kReach = 1.5;
 
-  /// Finds all pairs that can be partners at some scale. Cost O(N log N + pairs that are near along
-  /// x).
-  /// @param max_bytes  for the list of partners. Where it does not suffice, `complete()` is false
-  /// and
-  ///   every weight is 1.
-  DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes);
+  static constexpr ScaleRange kAllScales{0, std::numeric_limits<double>::infinity()};
+
+  /// Finds all pairs that can be partners at some scale in the range. Cost O(N log N + pairs of
+  /// near targets).
+  /// @param max_bytes  for the pairs of near targets, as if all were listed. Where it does not
+  ///   suffice, `complete()` is false and every weight is 1.
+  /// @param scales     at which weights are asked for; at one scale nothing is listed.
+  DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
+                   const ScaleRange& scales = kAllScales);
 
   bool complete() const { return complete_; }
 
   /// Whether any weight is less than 1 at some scale.
-  bool has_partners() const { return !max_scales_.empty(); }
+  bool has_partners() const { return has_partners_; }
 
-  /// w_i(scale). Cost O(log number of partners).
+  /// w_i(scale), of the nearest scale in the range. Cost O(log number of partners).
   double weight(Index i, double scale) const;
 
  private:
   bool complete_ = true;
+  bool has_partners_ = false;
+  std::vector<Index> always_;       ///< partners at every scale in the range
   std::vector<std::size_t> first_;  ///< N + 1 offsets into max_scales_
-  std::vector<double>
-      max_scales_;  ///< per correspondence, descending: up to which scale a partner is one
+  /// Per correspondence, descending: up to which scale one of the other partners is one.
+  std::vector<double> max_scales_;
 };
 
 }  // namespace gmcr

@@ -2,34 +2,71 @@
 
 #include <algorithm>
 
-#include "kernels/bit_block.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr {
 namespace {
 
 constexpr Index kBlock = BitsetGraph::kBitsPerWord;
+constexpr Index kSmall = 512;  // starting threads would take longer than the rows
+constexpr Index kSide = 4;     // blocks: what a square of them writes fits the first-level cache
 
-/// Writes word `row_block` of the rows of block `column_block`, transposed, below the diagonal.
-void mirror_block(BitsetGraph& graph, Index row_block, Index column_block) {
+/// Calls body(row_block, column_block) for all pairs of blocks with row_block <= column_block, in
+/// squares of kSide x kSide blocks: neighbouring words of a row, above and below the diagonal, are
+/// written while their cache line is near.
+template <typename Body>
+void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Body& body) {
+  const Index num_blocks = graph.words_per_row(), num_squares = (num_blocks + kSide - 1) / kSide;
+  const int threads = graph.num_vertices() < kSmall ? 1 : num_threads;
+  parallel_for(num_squares * num_squares, 1, threads, [&](Index square, Index) {
+    const Index row = square / num_squares, column = square % num_squares;
+    if (row > column) return;
+    const Index row_end = std::min((row + 1) * kSide, num_blocks);
+    const Index column_end = std::min((column + 1) * kSide, num_blocks);
+    for (Index r = row * kSide; r < row_end; ++r) {
+      for (Index c = std::max(r, column * kSide); c < column_end; ++c) body(r, c);
+    }
+  });
+}
+
+kernels::BitBlock read_block(const BitsetGraph& graph, Index row_block, Index column_block) {
   kernels::BitBlock bits{};
-  for (Index r = 0; r < kBlock; ++r) {
-    bits[static_cast<std::size_t>(r)] =
-        graph.row(row_block * kBlock + r)[static_cast<std::size_t>(column_block)];
+  const Index begin = row_block * kBlock, end = std::min(begin + kBlock, graph.num_vertices());
+  for (Index v = begin; v < end; ++v) {
+    bits[static_cast<std::size_t>(v - begin)] =
+        graph.row(v)[static_cast<std::size_t>(column_block)];
   }
-  kernels::transpose(bits);
-  const Index num_rows = std::min(kBlock, graph.num_vertices() - column_block * kBlock);
-  for (Index r = 0; r < num_rows; ++r) {
-    graph.mutable_row(column_block * kBlock + r)[static_cast<std::size_t>(row_block)] =
-        bits[static_cast<std::size_t>(r)];
+  return bits;
+}
+
+void write_block(BitsetGraph& graph, Index row_block, Index column_block,
+                 const kernels::BitBlock& bits) {
+  const Index begin = row_block * kBlock, end = std::min(begin + kBlock, graph.num_vertices());
+  for (Index v = begin; v < end; ++v) {
+    graph.mutable_row(v)[static_cast<std::size_t>(column_block)] =
+        bits[static_cast<std::size_t>(v - begin)];
   }
 }
 
 }  // namespace
 
+void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
+                            const std::function<kernels::BitBlock(Index, Index)>& block) {
+  for_each_upper_block(graph, num_threads, [&](Index row, Index column) {
+    kernels::BitBlock bits = block(row, column);
+    write_block(graph, row, column, bits);
+    if (row == column) return;
+    kernels::transpose(bits);
+    write_block(graph, column, row, bits);
+  });
+}
+
 void mirror_upper_blocks(BitsetGraph& graph, int num_threads) {
-  parallel_for(graph.words_per_row(), 1, num_threads, [&](Index block, Index) {
-    for (Index column = 0; column < block; ++column) mirror_block(graph, column, block);
+  for_each_upper_block(graph, num_threads, [&](Index row, Index column) {
+    if (row == column) return;
+    kernels::BitBlock bits = read_block(graph, row, column);
+    kernels::transpose(bits);
+    write_block(graph, column, row, bits);
   });
 }
 

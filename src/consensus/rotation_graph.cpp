@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "consensus/graph_rows.hpp"
+#include "consensus/mirror.hpp"
 
 namespace gmcr {
 namespace {
@@ -51,9 +53,12 @@ RotationCones rotation_cones(const Tims& tims, double scale) {
 }
 
 BitsetGraph rotation_graph(const RotationCones& cones, int num_threads, const Deadline& deadline) {
-  return graph_from_rows(cones.directions.size(), num_threads, deadline, [&](Index k, auto row) {
-    kernels::rotation_row(cones.directions, k, row);
-  });
+  BitsetGraph graph = graph_from_rows(
+      cones.directions.size(), num_threads, deadline, [&](Index k, std::span<std::uint64_t> row) {
+        kernels::rotation_row(cones.directions, k, row, k / BitsetGraph::kBitsPerWord);
+      });
+  mirror_upper_blocks(graph, num_threads);
+  return graph;
 }
 
 }  // namespace gmcr

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "estimation/admitted.hpp"
-#include "estimation/moments.hpp"
 #include "estimation/similarity_fit.hpp"
 
 namespace gmcr {
@@ -77,11 +76,13 @@ std::optional<Similarity> clamp_translation(const Similarity& centred,
 std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
                                    const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
                                    const PoseConstraints& constraints) {
-  if (constraints.priors.empty()) {
-    return fit_similarity(source, target, bounds, indices, constraints.scales);
-  }
   if (indices.size() < 3) return std::nullopt;
-  Moments moments = measure_moments(source, target, bounds, indices);
+  return fit_pose(measure_moments(source, target, bounds, indices), constraints);
+}
+
+std::optional<Similarity> fit_pose(const Moments& given, const PoseConstraints& constraints) {
+  if (constraints.priors.empty()) return fit_similarity(given, constraints.scales);
+  Moments moments = given;
   std::optional<Similarity> fit = fit_rotation_first(moments, constraints);
   const std::vector<Ball> all = balls(constraints);
   if (!fit || all.empty()) return fit;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/moments.hpp"
 #include "estimation/pose_constraints.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
@@ -16,5 +17,8 @@ namespace gmcr {
 std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
                                    const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
                                    const PoseConstraints& constraints);
+
+/// The same for correspondences of the given moments.
+std::optional<Similarity> fit_pose(const Moments& moments, const PoseConstraints& constraints);
 
 }  // namespace gmcr

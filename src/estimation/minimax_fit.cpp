@@ -2,43 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "estimation/constrained_fit.hpp"
-#include "estimation/moments.hpp"
+#include "kernels/residuals.hpp"
 
 namespace gmcr {
 
-MinimaxFit::MinimaxFit(Points source, Points target, Eigen::ArrayXd bounds,
-                       const PoseConstraints& constraints)
-    : source_(std::move(source)),
-      target_(std::move(target)),
+MinimaxFit::MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
+                       PoseConstraints constraints)
+    : source_(source.transpose()),
+      target_(target.transpose()),
       bounds_(std::move(bounds)),
-      constraints_(constraints),
-      all_(static_cast<std::size_t>(source_.cols())),
-      weights_(Eigen::ArrayXd::Ones(source_.cols())) {
-  std::iota(all_.begin(), all_.end(), Index{0});
-}
+      constraints_(std::move(constraints)),
+      weights_(Eigen::ArrayXd::Ones(source_.rows())) {}
 
 bool MinimaxFit::step() {
-  const auto fit = fit_pose(source_, target_, bounds_ / weights_.sqrt(), all_, constraints_);
+  if (source_.rows() < 3) return false;
+  moments_ = measure_moments(source_, target_, weights_ / bounds_.square());
+  const auto fit = fit_pose(moments_, constraints_);
   if (!fit) return false;
   pose_ = *fit;
-  residuals_ = (target_ - pose_.apply(source_)).colwise().norm().transpose().array() / bounds_;
-  fitted_weights_ = weights_;
-  mean_square_ = (weights_ * residuals_.square()).sum() / weights_.sum();
+  residuals_ = kernels::squared_residuals(pose_, source_, target_).sqrt() / bounds_;
+  sum_of_weights_ = weights_.sum();
+  mean_square_ = (weights_ * residuals_.square()).sum() / sum_of_weights_;
   // a floor, so that a point that fits well now can come back
   weights_ *= residuals_.max(1e-3);
   weights_ = (weights_ / weights_.maxCoeff()).max(1e-12);
   return true;
 }
 
+void MinimaxFit::leave_out(Index k) {
+  const Index behind = source_.rows() - k - 1;
+  const auto close_up = [&](auto&& values) {
+    values.segment(k, behind) = values.tail(behind).eval();
+  };
+  for (Index axis = 0; axis < 3; ++axis) {
+    close_up(source_.col(axis));
+    close_up(target_.col(axis));
+  }
+  for (Eigen::ArrayXd* values : {&bounds_, &weights_, &residuals_}) {
+    if (values->size() == 0) continue;
+    close_up(*values);
+    values->conservativeResize(k + behind);
+  }
+  source_.conservativeResize(k + behind, 3);
+  target_.conservativeResize(k + behind, 3);
+  mean_square_ = lower_bound_ = 0;
+}
+
 double MinimaxFit::lower_bound() {
   if (mean_square_ <= lower_bound_ * lower_bound_) return lower_bound_;
   // the fit may miss the minimum where points are nearly collinear; its bound from below does not
-  const Moments moments = measure_moments(source_, target_, bounds_ / fitted_weights_.sqrt(), all_);
-  const double least = least_squares_bound(moments, constraints_.scales) / fitted_weights_.sum();
+  const double least = least_squares_bound(moments_, constraints_.scales) / sum_of_weights_;
   lower_bound_ = std::max(lower_bound_, std::sqrt(least));
   return lower_bound_;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
+#include "estimation/moments.hpp"
 #include "estimation/pose_constraints.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
@@ -19,11 +19,15 @@ namespace gmcr {
 class MinimaxFit {
  public:
   /// @param source, target  3 x M, metres.  @param bounds  M bounds eps_i, metres, > 0.
-  MinimaxFit(Points source, Points target, Eigen::ArrayXd bounds,
-             const PoseConstraints& constraints);
+  MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
+             PoseConstraints constraints);
 
   /// One more fit. @return false where there is none: of fewer than 3 points. Cost O(M).
   bool step();
+
+  /// Leaves point k out of the fits to come; those behind it move up by one. The bound goes on from
+  /// nothing. Cost O(M).
+  void leave_out(Index k);
 
   const Similarity& pose() const { return pose_; }                ///< of the last fit
   const Eigen::ArrayXd& residuals() const { return residuals_; }  ///< relative, at `pose()`
@@ -35,13 +39,13 @@ class MinimaxFit {
   double lower_bound();
 
  private:
-  Points source_, target_;
+  Eigen::MatrixX3d source_, target_;
   Eigen::ArrayXd bounds_;
   PoseConstraints constraints_;
-  std::vector<Index> all_;
   Similarity pose_;
-  Eigen::ArrayXd residuals_, weights_, fitted_weights_;
-  double mean_square_ = 0, lower_bound_ = 0;
+  Moments moments_;  // of the last fit
+  Eigen::ArrayXd residuals_, weights_;
+  double sum_of_weights_ = 0, mean_square_ = 0, lower_bound_ = 0;
 };
 
 }  // namespace gmcr

@@ -39,6 +39,52 @@ double largest_alignment(const Eigen::Matrix3d& h) {
   return root;
 }
 
+/// Sums of products about the means, of every kLanes-th row each.
+template <int kLanes>
+class CentredSums {
+ public:
+  explicit CentredSums(const Moments& about) {
+    for (Index axis = 0; axis < 3; ++axis) {
+      source_mean_[axis].setConstant(about.source_mean[axis]);
+      target_mean_[axis].setConstant(about.target_mean[axis]);
+      for (Index other = 0; other < 3; ++other) covariance_[axis][other].setZero();
+    }
+  }
+
+  /// Adds the rows from i on.
+  void add(const Eigen::MatrixX3d& source, const Eigen::MatrixX3d& target,
+           const Eigen::ArrayXd& weights, Index i) {
+    Lanes a[3], b[3];
+    for (Index axis = 0; axis < 3; ++axis) {
+      a[axis] = Lanes::Map(source.col(axis).data() + i) - source_mean_[axis];
+      b[axis] = Lanes::Map(target.col(axis).data() + i) - target_mean_[axis];
+    }
+    const Lanes w = Lanes::Map(weights.data() + i);
+    source_variance_ += w * (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    target_variance_ += w * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
+    for (Index axis = 0; axis < 3; ++axis) {
+      const Lanes weighted = w * b[axis];
+      for (Index other = 0; other < 3; ++other) covariance_[axis][other] += weighted * a[other];
+    }
+  }
+
+  void add_to(Moments& m) const {
+    for (Index axis = 0; axis < 3; ++axis) {
+      for (Index other = 0; other < 3; ++other) {
+        m.covariance(axis, other) += covariance_[axis][other].sum();
+      }
+    }
+    m.source_variance += source_variance_.sum();
+    m.target_variance += target_variance_.sum();
+  }
+
+ private:
+  using Lanes = Eigen::Array<double, kLanes, 1>;
+
+  Lanes source_mean_[3], target_mean_[3], covariance_[3][3];
+  Lanes source_variance_ = Lanes::Zero(), target_variance_ = Lanes::Zero();
+};
+
 }  // namespace
 
 Moments& Moments::operator+=(const Moments& other) {
@@ -74,22 +120,35 @@ Moments point_moments(const Eigen::Vector3d& source, const Eigen::Vector3d& targ
 
 Moments measure_moments(const PointsRef& source, const PointsRef& target,
                         const Eigen::ArrayXd& bounds, const std::vector<Index>& indices) {
+  const auto count = static_cast<Index>(indices.size());
+  Eigen::MatrixX3d a(count, 3), b(count, 3);
+  Eigen::ArrayXd weights(count);
+  for (Index k = 0; k < count; ++k) {
+    const Index i = indices[static_cast<std::size_t>(k)];
+    a.row(k) = source.col(i);
+    b.row(k) = target.col(i);
+    weights[k] = 1 / (bounds[i] * bounds[i]);
+  }
+  return measure_moments(a, b, weights);
+}
+
+Moments measure_moments(const Eigen::MatrixX3d& source, const Eigen::MatrixX3d& target,
+                        const Eigen::ArrayXd& weights) {
   Moments m;
-  for (const Index i : indices) {
-    const double weight = 1 / (bounds[i] * bounds[i]);
-    m.weight += weight;
-    m.source_mean += weight * source.col(i);
-    m.target_mean += weight * target.col(i);
+  m.weight = weights.sum();
+  if (!(m.weight > 0)) return m;
+  for (Index axis = 0; axis < 3; ++axis) {
+    m.source_mean[axis] = (weights * source.col(axis).array()).sum() / m.weight;
+    m.target_mean[axis] = (weights * target.col(axis).array()).sum() / m.weight;
   }
-  m.source_mean /= m.weight;
-  m.target_mean /= m.weight;
-  for (const Index i : indices) {
-    const double weight = 1 / (bounds[i] * bounds[i]);
-    const Eigen::Vector3d a = source.col(i) - m.source_mean, b = target.col(i) - m.target_mean;
-    m.covariance += weight * b * a.transpose();
-    m.source_variance += weight * a.squaredNorm();
-    m.target_variance += weight * b.squaredNorm();
-  }
+  constexpr Index kLanes = 2;  // of the vector registers that every machine has
+  const Index num_paired = weights.size() / kLanes * kLanes;
+  CentredSums<kLanes> pairs(m);
+  for (Index i = 0; i < num_paired; i += kLanes) pairs.add(source, target, weights, i);
+  pairs.add_to(m);
+  CentredSums<1> rest(m);
+  for (Index i = num_paired; i < weights.size(); ++i) rest.add(source, target, weights, i);
+  rest.add_to(m);
   return m;
 }
 

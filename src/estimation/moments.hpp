@@ -28,6 +28,12 @@ struct Moments {
 Moments measure_moments(const PointsRef& source, const PointsRef& target,
                         const Eigen::ArrayXd& bounds, const std::vector<Index>& indices);
 
+/// The same of all rows, each with its own weight.
+/// @param source, target  N x 3, metres.
+/// @param weights  N values >= 0; where all are 0, so are the moments. Cost O(N), no allocation.
+Moments measure_moments(const Eigen::MatrixX3d& source, const Eigen::MatrixX3d& target,
+                        const Eigen::ArrayXd& weights);
+
 /// Moments of one correspondence of the given weight, > 0.
 Moments point_moments(const Eigen::Vector3d& source, const Eigen::Vector3d& target, double weight);
 

@@ -1,27 +1,26 @@
 #include "estimation/rotation.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <stdexcept>
+
+#include "estimation/singular_pairs.hpp"
 
 namespace gmcr {
 
 std::optional<Eigen::Matrix3d> rotation_from_covariance(const Eigen::Matrix3d& covariance) {
   constexpr double kRankTolerance = 1e-12;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d& singular = svd.singularValues();
-  if (!(singular[1] > kRankTolerance * singular[0])) return std::nullopt;
-  const double handedness = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Eigen::Vector3d(1, 1, handedness).asDiagonal() * svd.matrixV().transpose();
+  const SingularPairs pairs = leading_singular_pairs(covariance);
+  if (!(pairs.values[1] > kRankTolerance * pairs.values[0])) return std::nullopt;
+  // the third axes made right-handed: what the reflection guard does with the least singular value
+  const Eigen::Vector3d third_left = pairs.left.col(0).cross(pairs.left.col(1));
+  const Eigen::Vector3d third_right = pairs.right.col(0).cross(pairs.right.col(1));
+  return pairs.left * pairs.right.transpose() + third_left * third_right.transpose();
 }
 
 Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (!(svd.singularValues()[0] > 0)) return Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d from = svd.matrixV().col(0), to = svd.matrixU().col(0);
+  const SingularPairs pairs = leading_singular_pairs(covariance);
+  if (!(pairs.values[0] > 0)) return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d from = pairs.right.col(0), to = pairs.left.col(0);
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 

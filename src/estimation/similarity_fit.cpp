@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "estimation/moments.hpp"
 #include "estimation/rotation.hpp"
 
 namespace gmcr {
@@ -12,7 +11,10 @@ std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRe
                                          const std::vector<Index>& indices,
                                          const ScaleRange& scales) {
   if (indices.size() < 3) return std::nullopt;
-  const Moments moments = measure_moments(source, target, bounds, indices);
+  return fit_similarity(measure_moments(source, target, bounds, indices), scales);
+}
+
+Similarity fit_similarity(const Moments& moments, const ScaleRange& scales) {
   const std::optional<Eigen::Matrix3d> unique = rotation_from_covariance(moments.covariance);
   return fit_with_rotation(moments, unique ? *unique : least_rotation(moments.covariance), scales);
 }

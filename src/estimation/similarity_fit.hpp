@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/moments.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
@@ -24,5 +25,8 @@ std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRe
                                          const Eigen::ArrayXd& bounds,
                                          const std::vector<Index>& indices,
                                          const ScaleRange& scales);
+
+/// The same for correspondences of the given moments.
+Similarity fit_similarity(const Moments& moments, const ScaleRange& scales);
 
 }  // namespace gmcr

@@ -9,18 +9,10 @@ namespace gmcr::kernels {
 /// 64 x 64 bits: bit c of word r is the entry in row r and column c.
 using BitBlock = std::array<std::uint64_t, 64>;
 
-/// Transposes in place: swaps the off-diagonal quarters, then those of each quarter, and so on.
-inline void transpose(BitBlock& block) {
-  std::uint64_t low_half = 0x00000000ffffffff;
-  for (std::size_t size = 32; size != 0; size /= 2, low_half ^= low_half << size) {
-    for (std::size_t base = 0; base < 64; base += 2 * size) {
-      for (std::size_t r = base; r < base + size; ++r) {
-        const std::uint64_t differ = ((block[r] >> size) ^ block[r + size]) & low_half;
-        block[r] ^= differ << size;
-        block[r + size] ^= differ;
-      }
-    }
-  }
-}
+/// Transposes in place, by the instruction set of this machine.
+void transpose(BitBlock& block);
+
+/// The same, a word at a time: the specification.
+void transpose_reference(BitBlock& block);
 
 }  // namespace gmcr::kernels

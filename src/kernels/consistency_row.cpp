@@ -40,9 +40,10 @@ void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, doub
   }
 }
 
-void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
-                  std::span<double> target_lengths) {
-  for (Index j = i + 1; j < arrays.size(); ++j) {
+void pair_lengths_reference(const CorrespondenceArrays& arrays, Index i,
+                            std::span<double> source_lengths, std::span<double> target_lengths,
+                            Index first) {
+  for (Index j = std::max(first, i + 1); j < arrays.size(); ++j) {
     const auto k = static_cast<std::size_t>(j - i - 1);
     source_lengths[k] = std::sqrt(difference(arrays.source, i, j).squared_norm());
     target_lengths[k] = std::sqrt(difference(arrays.target, i, j).squared_norm());

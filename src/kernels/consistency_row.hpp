@@ -29,13 +29,23 @@ bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double 
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row, Index first_word = 0);
 
-/// The same, one pair after the other: the specification of `consistency_row`.
+/// One word of that row; the bit of `i` itself, if it is there, is left undefined.
+std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                               double scale_max, Index word);
+
+/// The row, one pair after the other: the specification of `consistency_row`.
 void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,
                                double scale_max, std::span<std::uint64_t> row);
 
-/// Lengths |a_j - a_i| and |b_j - b_i| for each j in [i + 1, N), in order.
+/// Lengths |a_j - a_i| and |b_j - b_i| for each j in [i + 1, N), in order, by the instruction set
+/// of this machine.
 /// @param source_lengths, target_lengths  N - i - 1 values, metres.
 void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
                   std::span<double> target_lengths);
+
+/// The same, one pair after the other, for each j in [max(first, i + 1), N): the specification.
+void pair_lengths_reference(const CorrespondenceArrays& arrays, Index i,
+                            std::span<double> source_lengths, std::span<double> target_lengths,
+                            Index first = 0);
 
 }  // namespace gmcr::kernels

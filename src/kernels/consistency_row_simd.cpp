@@ -6,6 +6,20 @@
 
 #include "kernels/consistency_row.hpp"
 
+#ifndef GMCR_KERNELS_CONSISTENCY_ROW_SIMD_POINTERS  // once for all instruction sets
+#define GMCR_KERNELS_CONSISTENCY_ROW_SIMD_POINTERS
+namespace gmcr::kernels {
+
+/// `CorrespondenceArrays` as plain data: code of one instruction set instantiates no template that
+/// code of another could be linked to.
+struct CorrespondencePointers {
+  const double *source[3], *target[3], *bounds;
+  Index size;
+};
+
+}  // namespace gmcr::kernels
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace gmcr::kernels::HWY_NAMESPACE {
 
@@ -18,10 +32,10 @@ struct PointTo {
   const double *xs, *ys, *zs;
   Vector x, y, z;
 
-  PointTo(const Eigen::MatrixX3d& points, Index i)
-      : xs(points.col(0).data()),
-        ys(points.col(1).data()),
-        zs(points.col(2).data()),
+  HWY_INLINE PointTo(const double* const* points, Index i)
+      : xs(points[0]),
+        ys(points[1]),
+        zs(points[2]),
         x(hn::Set(Lanes(), xs[i])),
         y(hn::Set(Lanes(), ys[i])),
         z(hn::Set(Lanes(), zs[i])) {}
@@ -35,13 +49,37 @@ struct PointTo {
   }
 };
 
-void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                       double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
+/// Lanes where sqrt(longer) <= sqrt(shorter) + e, with longer - shorter = difference.
+HWY_INLINE hn::Mask<Lanes> is_within(Vector difference, Vector shorter, Vector ee) {
+  const Vector over = hn::Sub(difference, ee);
+  const Vector room = hn::Mul(hn::Mul(hn::Set(Lanes(), 4), ee), shorter);
+  return hn::Or(hn::Le(over, hn::Zero(Lanes())), hn::Le(hn::Mul(over, over), room));
+}
+
+/// Lanes where points at squared distances a and b agree.
+template <bool kOneScale>
+HWY_INLINE hn::Mask<Lanes> agree(Vector a, Vector b, Vector ee, Vector min_squared,
+                                 Vector max_squared) {
+  const Vector longest = hn::Mul(max_squared, a);
+  if constexpr (kOneScale) {
+    // of the two tests below, the one whose difference is not negative
+    const Vector shorter = hn::IfThenElse(hn::Lt(b, longest), b, longest);
+    return is_within(hn::Abs(hn::Sub(b, longest)), shorter, ee);
+  } else {
+    const Vector shortest = hn::Mul(min_squared, a);
+    return hn::And(is_within(hn::Sub(b, longest), longest, ee),
+                   is_within(hn::Sub(shortest, b), b, ee));
+  }
+}
+
+template <bool kOneScale>
+HWY_INLINE void words(const CorrespondencePointers& arrays, Index i, double scale_min,
+                      double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
   const Lanes lanes;
   const auto step = static_cast<Index>(hn::Lanes(lanes));
   const PointTo source(arrays.source, i), target(arrays.target, i);
-  const double* bounds = arrays.bounds.data();
-  const Vector bound = hn::Set(lanes, bounds[i]), zero = hn::Zero(lanes), four = hn::Set(lanes, 4);
+  const double* bounds = arrays.bounds;
+  const Vector bound = hn::Set(lanes, bounds[i]);
   const Vector max_squared = hn::Set(lanes, scale_max * scale_max);
   const Vector min_squared = hn::Set(lanes, scale_min * scale_min);
   for (Index word = first_word; word < num_words; ++word) {
@@ -50,20 +88,36 @@ void consistency_words(const CorrespondenceArrays& arrays, Index i, double scale
       const Index j = word * 64 + k;
       const Vector a = source.squared_distances(j), b = target.squared_distances(j);
       const Vector e = hn::Add(bound, hn::LoadU(lanes, bounds + j));
-      const Vector ee = hn::Mul(e, e), four_ee = hn::Mul(four, ee);
-      const Vector longest = hn::Mul(max_squared, a), shortest = hn::Mul(min_squared, a);
-      const Vector over = hn::Sub(hn::Sub(b, longest), ee);
-      const Vector under = hn::Sub(hn::Sub(shortest, b), ee);
-      const auto not_too_long =
-          hn::Or(hn::Le(over, zero), hn::Le(hn::Mul(over, over), hn::Mul(four_ee, longest)));
-      const auto not_too_short =
-          hn::Or(hn::Le(under, zero), hn::Le(hn::Mul(under, under), hn::Mul(four_ee, b)));
+      const auto agrees = agree<kOneScale>(a, b, hn::Mul(e, e), min_squared, max_squared);
       HWY_ALIGN std::uint8_t mask[8] = {};
-      hn::StoreMaskBits(lanes, hn::And(not_too_long, not_too_short), mask);
+      hn::StoreMaskBits(lanes, agrees, mask);
       bits |= std::uint64_t{mask[0]} << k;
     }
-    row[word] = bits;
+    row[word - first_word] = bits;
   }
+}
+
+void consistency_words(const CorrespondencePointers& arrays, Index i, double scale_min,
+                       double scale_max, Index first_word, Index num_words, std::uint64_t* row) {
+  if (scale_min == scale_max) {
+    words<true>(arrays, i, scale_min, scale_max, first_word, num_words, row);
+  } else {
+    words<false>(arrays, i, scale_min, scale_max, first_word, num_words, row);
+  }
+}
+
+/// @return the first j whose lengths are not written yet: less than a vector is left.
+Index write_lengths(const CorrespondencePointers& arrays, Index i, double* source_lengths,
+                    double* target_lengths) {
+  const Lanes lanes;
+  const auto step = static_cast<Index>(hn::Lanes(lanes));
+  const PointTo source(arrays.source, i), target(arrays.target, i);
+  Index j = i + 1;
+  for (; j + step <= arrays.size; j += step) {
+    hn::StoreU(hn::Sqrt(source.squared_distances(j)), lanes, source_lengths + (j - i - 1));
+    hn::StoreU(hn::Sqrt(target.squared_distances(j)), lanes, target_lengths + (j - i - 1));
+  }
+  return j;
 }
 
 }  // namespace gmcr::kernels::HWY_NAMESPACE
@@ -73,21 +127,56 @@ HWY_AFTER_NAMESPACE();
 namespace gmcr::kernels {
 
 HWY_EXPORT(consistency_words);
+HWY_EXPORT(write_lengths);
+
+namespace {
+
+CorrespondencePointers pointers_of(const CorrespondenceArrays& arrays) {
+  const auto &a = arrays.source, &b = arrays.target;
+  return {{a.col(0).data(), a.col(1).data(), a.col(2).data()},
+          {b.col(0).data(), b.col(1).data(), b.col(2).data()},
+          arrays.bounds.data(),
+          arrays.size()};
+}
+
+std::uint64_t last_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                        double scale_max) {
+  std::uint64_t bits = 0;
+  for (Index j = arrays.size() / 64 * 64; j < arrays.size(); ++j) {
+    const bool consistent = is_consistent(arrays, i, j, scale_min, scale_max);
+    bits |= std::uint64_t{consistent} << (j % 64);
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+                               double scale_max, Index word) {
+  if (word == arrays.size() / 64) return last_word(arrays, i, scale_min, scale_max);
+  std::uint64_t bits = 0;
+  HWY_DYNAMIC_DISPATCH(consistency_words)
+  (pointers_of(arrays), i, scale_min, scale_max, word, word + 1, &bits);
+  return bits;
+}
 
 void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row, Index first_word) {
   const Index num_full_words = arrays.size() / 64;
   HWY_DYNAMIC_DISPATCH(consistency_words)
-  (arrays, i, scale_min, scale_max, first_word, num_full_words, row.data());
+  (pointers_of(arrays), i, scale_min, scale_max, first_word, num_full_words,
+   row.data() + first_word);
   if (num_full_words < static_cast<Index>(row.size())) {
-    std::uint64_t bits = 0;
-    for (Index j = num_full_words * 64; j < arrays.size(); ++j) {
-      const bool consistent = is_consistent(arrays, i, j, scale_min, scale_max);
-      bits |= std::uint64_t{consistent} << (j % 64);
-    }
-    row[static_cast<std::size_t>(num_full_words)] = bits;
+    row[static_cast<std::size_t>(num_full_words)] = last_word(arrays, i, scale_min, scale_max);
   }
   row[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64));
+}
+
+void pair_lengths(const CorrespondenceArrays& arrays, Index i, std::span<double> source_lengths,
+                  std::span<double> target_lengths) {
+  const Index rest = HWY_DYNAMIC_DISPATCH(write_lengths)(
+      pointers_of(arrays), i, source_lengths.data(), target_lengths.data());
+  pair_lengths_reference(arrays, i, source_lengths, target_lengths, rest);
 }
 
 }  // namespace gmcr::kernels

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
-constexpr std::uint64_t kMaxWeightedNodes = 100;
+constexpr std::uint64_t kMaxWeightedNodes = 300;
 
 /// Search in the one consistency graph of a known scale.
 UpperBounds search_known_scale(PoseSearch& search) {
@@ -20,7 +20,12 @@ UpperBounds search_known_scale(PoseSearch& search) {
   UpperBounds bounds;
   bounds.inliers = search_clique(search, range, Measure::Inliers, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
-  if (bounds.inliers > search.to_beat(Measure::Evidence)) grow_cliques(search, range, kMaxStarts);
+  if (bounds.inliers > search.to_beat(Measure::Evidence)) {
+    explore_around_best(search, range);
+    const double explored = search.to_beat(Measure::Evidence);
+    grow_cliques(search, range, kMaxStarts);
+    if (search.to_beat(Measure::Evidence) > explored) explore_around_best(search, range);
+  }
   if (search.counts_evidence()) {
     bounds.evidence = std::min(bounds.inliers,
                                search_clique(search, range, Measure::Evidence, kMaxWeightedNodes));

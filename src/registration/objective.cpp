@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "kernels/residuals.hpp"
 
@@ -19,16 +20,16 @@ bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b) {
 }
 
 Objective::Objective(const Correspondences& correspondences, Evidence evidence,
-                     std::size_t max_bytes)
+                     std::size_t max_bytes, const ScaleRange& scales)
     : correspondences_(correspondences),
       source_(correspondences.source.transpose()),
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
-  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes);
-}
-
-double Objective::weight(Index i, double scale) const {
-  return distinct_ ? distinct_->weight(i, scale) : 1;
+  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes, scales);
+  if (is_weighted() && scales.min < scales.max) return;
+  weights_.setOnes(correspondences.size());
+  if (!is_weighted()) return;
+  for (Index i = 0; i < weights_.size(); ++i) weights_[i] = distinct_->weight(i, scales.min);
 }
 
 double Objective::evidence_of(const std::vector<Index>& indices, double scale) const {
@@ -38,25 +39,21 @@ double Objective::evidence_of(const std::vector<Index>& indices, double scale) c
 }
 
 std::vector<Index> Objective::within(const Similarity& target_from_source, double factor) const {
-  const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
-  std::vector<Index> indices;
-  for (Index i = 0; i < squared.size(); ++i) {
-    if (squared[i] <= factor * factor * squared_bounds_[i]) indices.push_back(i);
-  }
-  return indices;
+  return kernels::consensus(target_from_source, source_, target_, squared_bounds_, factor * factor)
+      .indices;
 }
 
 Hypothesis Objective::judge(const Similarity& target_from_source) const {
+  kernels::Consensus consensus =
+      kernels::consensus(target_from_source, source_, target_, squared_bounds_);
   Hypothesis hypothesis;
   hypothesis.target_from_source = target_from_source;
-  const Eigen::ArrayXd squared = kernels::squared_residuals(target_from_source, source_, target_);
-  for (Index i = 0; i < squared.size(); ++i) {
-    const double relative = squared[i] / squared_bounds_[i];
-    const bool is_inlier = relative <= 1;  // false also where it is not a number
-    hypothesis.quadratic += is_inlier ? relative : 1;
-    if (!is_inlier) continue;
-    hypothesis.inliers.push_back(i);
-    hypothesis.evidence += weight(i, target_from_source.scale);
+  hypothesis.inliers = std::move(consensus.indices);
+  hypothesis.evidence = evidence_of(hypothesis.inliers, target_from_source.scale);
+  // each of the others adds 1
+  hypothesis.quadratic = static_cast<double>(squared_bounds_.size() - hypothesis.num_inliers());
+  for (std::size_t k = 0; k < hypothesis.inliers.size(); ++k) {
+    hypothesis.quadratic += consensus.squared_residuals[k] / squared_bounds_[hypothesis.inliers[k]];
   }
   return hypothesis;
 }

@@ -34,15 +34,22 @@ class Objective {
  public:
   /// Keeps a reference to `correspondences`.
   /// @param max_bytes  memory that the evidence weights may take.
-  Objective(const Correspondences& correspondences, Evidence evidence, std::size_t max_bytes);
+  /// @param scales     where the scale of all poses lies; at one scale a weight costs nothing.
+  Objective(const Correspondences& correspondences, Evidence evidence, std::size_t max_bytes,
+            const ScaleRange& scales = DistinctEvidence::kAllScales);
 
   const Correspondences& correspondences() const { return correspondences_; }
 
   /// Evidence that correspondence i gives at a scale, in (0, 1].
-  double weight(Index i, double scale) const;
+  double weight(Index i, double scale) const {
+    return weights_.size() > 0 ? weights_[i] : distinct_->weight(i, scale);
+  }
 
   /// Whether some correspondence gives less evidence than 1 at some scale.
   bool is_weighted() const { return distinct_ && distinct_->has_partners(); }
+
+  /// Whether weights differ from scale to scale.
+  bool weights_depend_on_scale() const { return weights_.size() != correspondences_.size(); }
 
   /// Evidence that the given correspondences give together at a scale.
   double evidence_of(const std::vector<Index>& indices, double scale) const;
@@ -61,6 +68,7 @@ class Objective {
   Eigen::MatrixX3d source_, target_;
   Eigen::ArrayXd squared_bounds_;
   std::optional<DistinctEvidence> distinct_;
+  Eigen::ArrayXd weights_;  ///< where they do not depend on the scale
 };
 
 }  // namespace gmcr

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "estimation/pose_constraints.hpp"
+#include "registration/local_optimisation.hpp"
 #include "registration/objective.hpp"
 #include "registration/solve_context.hpp"
 
@@ -14,12 +15,13 @@ namespace gmcr {
 /// First the closed form on the whole clique. Where the pose does not hold all of the clique, which
 /// pairwise distances allow (mirrored and loosely fitting sets), also fits that try to, and then
 /// the rotation and translation stages on its longest TIMs, which look for a part of it.
-/// @param must_exceed  evidence of a rival: a clique that gives no more has no part worth the
-/// stages.
 /// @param constraints  what the pose must satisfy.
-/// @return nullopt where the clique has fewer than 3 vertices or leads to no admitted pose.
+/// @param rival  a clique that gives no more evidence, or whose pose is near, has no part worth the
+///   stages.
+/// @return nullopt where the clique has fewer than 3 vertices, leads to no admitted pose, or leads
+///   to a settled rival.
 std::optional<Hypothesis> pose_from_clique(SolveContext& context, const Objective& objective,
                                            const PoseConstraints& constraints,
-                                           const std::vector<Index>& clique, double must_exceed);
+                                           const std::vector<Index>& clique, const Rival& rival);
 
 }  // namespace gmcr

@@ -1,14 +1,18 @@
 #include "registration/range_search.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "clique/bit_rows.hpp"
-#include "clique/degeneracy.hpp"
 #include "clique/greedy.hpp"
+#include "clique/packed_graph.hpp"
 #include "consensus/consistency_graph.hpp"
 #include "estimation/constrained_fit.hpp"
+#include "kernels/bit_row.hpp"
+#include "parallel/parallel_for.hpp"
 #include "registration/local_optimisation.hpp"
+#include "registration/pattern_search.hpp"
 #include "registration/pose_from_clique.hpp"
 
 namespace gmcr {
@@ -16,13 +20,17 @@ namespace {
 
 /// Candidates among which a greedy clique looks for the one with most neighbours.
 constexpr Index kMaxCandidates = 256;
-
-/// A vertex to grow a clique from.
-struct Start {
-  Index vertex = 0;
-  Index core = 0;
-  double evidence_bound = 0;  ///< no clique with the vertex has more evidence
-};
+/// Correspondences within so many bounds of the best pose lead to no other: no clique starts there.
+constexpr double kExplained = 3;
+/// A clique with less than this part of the best evidence is no rival.
+constexpr double kLeastPart = 0.5;
+/// Starts whose bound is computed, a start that may be taken.
+constexpr Index kMaxBounded = 8;
+/// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
+constexpr double kNearby = 2;
+constexpr Index kMaxNearby = 512;
+constexpr Index kMaxStartsNearby = 8;
+constexpr std::uint64_t kMaxNodesNearby = 200;
 
 /// Removes the edges of a vertex.
 void isolate(BitsetGraph& graph, Index v) {
@@ -32,24 +40,71 @@ void isolate(BitsetGraph& graph, Index v) {
   std::fill(row.begin(), row.end(), 0);
 }
 
-/// All vertices, by descending core number.
-std::vector<Start> list_starts(PoseSearch& search, const RangeGraph& range) {
-  const StageTimer timer(search.context(), "clique");
-  const std::vector<Index> core = degeneracy_order(range.graph).core;
-  const Index n = range.graph.num_vertices();
-  const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
-  const auto weight = [&](Index v) { return weights[static_cast<std::size_t>(v)]; };
-  std::vector<Start> starts;
-  for (Index v = 0; v < n; ++v) {
-    const auto row = range.graph.row(v);
-    double around = weight(v);
-    for_each_bit(row.data(), static_cast<Index>(row.size()), [&](Index u) { around += weight(u); });
-    const Index core_of_v = core[static_cast<std::size_t>(v)];
-    starts.push_back({v, core_of_v, std::min(around, static_cast<double>(core_of_v + 1))});
+/// Degrees of all vertices, in parallel where the graph is large.
+std::vector<Index> degrees(const BitsetGraph& graph, int num_threads) {
+  constexpr Index kRowsPerChunk = 512;
+  std::vector<Index> degrees(static_cast<std::size_t>(graph.num_vertices()));
+  parallel_for(graph.num_vertices(), kRowsPerChunk, num_threads, [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v)
+      degrees[static_cast<std::size_t>(v)] =
+          kernels::count_bits(graph.row(v).data(), graph.words_per_row());
+  });
+  return degrees;
+}
+
+/// Most evidence of a clique with vertex v: that of v and its neighbours.
+double evidence_around(const BitsetGraph& graph, const std::vector<double>& weights, Index v) {
+  const auto weight = [&](Index u) { return weights[static_cast<std::size_t>(u)]; };
+  double around = weight(v);
+  const auto row = graph.row(v);
+  for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { around += weight(u); });
+  return around;
+}
+
+BitsetGraph induced_subgraph(const BitsetGraph& graph, const std::vector<Index>& vertices) {
+  PackedGraph packed;
+  packed.assign(graph, vertices);
+  BitsetGraph subgraph(packed.num_vertices());
+  for (Index v = 0; v < packed.num_vertices(); ++v) {
+    std::copy_n(packed.row(v), packed.words_per_row(), subgraph.mutable_row(v).begin());
   }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Start& a, const Start& b) { return a.core > b.core; });
-  return starts;
+  return subgraph;
+}
+
+std::vector<Index> by_descending(const std::vector<Index>& values) {
+  std::vector<Index> order(values.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return values[static_cast<std::size_t>(a)] > values[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+/// The heaviest clique among some vertices, as far as a short search finds it, and greedy ones from
+/// those of largest degree.
+std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
+                                              const std::vector<Index>& vertices) {
+  const StageTimer timer(search.context(), "clique");
+  const BitsetGraph graph = induced_subgraph(range.graph, vertices);
+  const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
+  std::vector<double> weights;
+  for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
+  std::vector<std::vector<Index>> cliques{
+      search.context()
+          .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
+          .vertices};
+  const std::vector<Index> degree = degrees(graph, 1);
+  std::vector<bool> covered(vertices.size(), false);
+  for (const Index v : by_descending(degree)) {
+    if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
+    if (covered[static_cast<std::size_t>(v)]) continue;
+    cliques.push_back(greedy_clique_by_candidates(graph, v, degree, kMaxCandidates));
+    for (const Index u : cliques.back()) covered[static_cast<std::size_t>(u)] = true;
+  }
+  for (std::vector<Index>& clique : cliques) {
+    for (Index& v : clique) v = vertices[static_cast<std::size_t>(v)];
+  }
+  return cliques;
 }
 
 }  // namespace
@@ -68,7 +123,7 @@ void PoseSearch::offer(const std::vector<Index>& clique) {
   const StageTimer timer(context_, "pose");
   if (!examined_.insert(clique).second) return;
   std::optional<Hypothesis> pose =
-      pose_from_clique(context_, objective_, constraints_, clique, max_evidence_);
+      pose_from_clique(context_, objective_, constraints_, clique, rival());
   if (pose) consider(std::move(*pose));
 }
 
@@ -85,11 +140,21 @@ void PoseSearch::offer(const Similarity& pose) {
   consider(std::move(judged));
 }
 
+Rival PoseSearch::rival() const {
+  constexpr int kPatience = 5;
+  return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
+}
+
 void PoseSearch::consider(Hypothesis pose) {
+  if (rival().is_near(pose.inliers)) ++num_in_vain_;
   if (!reached_.insert(pose.inliers).second) return;
   // a rival is measured by what it can reach, as the best so far was
   Hypothesis reached =
-      reach_for_more(objective_, constraints_, std::move(pose), best_ ? best_->evidence : 0);
+      reach_for_more(objective_, constraints_, std::move(pose), rival().evidence());
+  constexpr double kClose = 0.9;
+  if (reached.evidence > kClose * rival().evidence()) {
+    reached = climb_by_motions(objective_, constraints_, std::move(reached));
+  }
   for (const Hypothesis& known : found_) {
     if (shares_most(known.inliers, reached.inliers)) return;
   }
@@ -97,7 +162,14 @@ void PoseSearch::consider(Hypothesis pose) {
   max_inliers_ = std::max(max_inliers_, static_cast<double>(members.size()));
   max_evidence_ =
       std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
-  if (!best_ || is_better(reached, *best_)) best_ = std::move(reached);
+  if (best_ && !is_better(reached, *best_)) return;
+  best_ = std::move(reached);
+  num_in_vain_ = 0;
+}
+
+std::vector<Index> PoseSearch::near_best(double factor) const {
+  if (!best_) return {};
+  return objective_.within(best_->target_from_source, factor);
 }
 
 void PoseSearch::explain(const UpperBounds& bounds) {
@@ -141,22 +213,57 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
 }
 
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {
-  const std::vector<Start> starts = list_starts(search, range);
-  std::vector<Index> priority(starts.size());
-  for (const Start& start : starts) priority[static_cast<std::size_t>(start.vertex)] = start.core;
-  std::vector<bool> covered(starts.size(), false);
-  Index num_starts = 0;
-  for (const Start& start : starts) {
+  const Index n = range.graph.num_vertices();
+  std::vector<Index> degree;
+  std::vector<Index> order;
+  {
+    const StageTimer timer(search.context(), "clique");
+    degree = degrees(range.graph, search.context().options().num_threads);
+    order = by_descending(degree);
+  }
+  const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
+  // what the best pose explains is left out: else all cliques would lead to it again
+  std::vector<Word> unexplained(static_cast<std::size_t>(range.graph.words_per_row()));
+  std::vector<bool> covered;
+  const auto leave_out_explained = [&] {
+    std::fill(unexplained.begin(), unexplained.end(), ~Word{0});
+    for (const Index v : search.near_best(kExplained)) clear_bit(unexplained.data(), v);
+  };
+  covered.assign(static_cast<std::size_t>(n), false);
+  leave_out_explained();
+  Index num_starts = 0, num_bounded = 0;
+  for (const Index v : order) {
     if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
-    if (covered[static_cast<std::size_t>(start.vertex)]) continue;
-    if (start.evidence_bound <= search.to_beat(Measure::Evidence)) continue;
+    const double to_beat = search.to_beat(Measure::Evidence);
+    if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
+    if (covered[static_cast<std::size_t>(v)] || !test_bit(unexplained.data(), v)) continue;
+    if (num_bounded++ == kMaxBounded * max_starts) return;
+    if (evidence_around(range.graph, weights, v) <= to_beat) continue;
     ++num_starts;
     const std::vector<Index> clique = [&] {
       const StageTimer timer(search.context(), "clique");
-      return greedy_clique_by_candidates(range.graph, start.vertex, priority, kMaxCandidates);
+      return greedy_clique_by_candidates(range.graph, v, degree, kMaxCandidates, unexplained);
     }();
-    for (const Index v : clique) covered[static_cast<std::size_t>(v)] = true;
+    double evidence = 0;
+    for (const Index u : clique) {
+      covered[static_cast<std::size_t>(u)] = true;
+      evidence += weights[static_cast<std::size_t>(u)];
+    }
+    if (evidence < kLeastPart * to_beat) continue;
     search.offer(clique);
+    if (search.to_beat(Measure::Evidence) > to_beat) leave_out_explained();
+  }
+}
+
+void explore_around_best(PoseSearch& search, const RangeGraph& range) {
+  for (double before = 0; search.to_beat(Measure::Evidence) > before;) {
+    before = search.to_beat(Measure::Evidence);
+    const std::vector<Index> near = search.near_best(kNearby);
+    if (static_cast<Index>(near.size()) > kMaxNearby) return;
+    for (const std::vector<Index>& clique : cliques_among(search, range, near)) {
+      if (search.context().stopped()) return;
+      search.offer(clique);
+    }
   }
 }
 

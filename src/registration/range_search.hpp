@@ -12,6 +12,7 @@
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "kernels/consistency_row.hpp"
+#include "registration/local_optimisation.hpp"
 #include "registration/objective.hpp"
 #include "registration/solve_context.hpp"
 
@@ -52,6 +53,9 @@ class PoseSearch {
 
   const std::optional<Hypothesis>& best() const { return best_; }
 
+  /// Correspondences within `factor` bounds of the best pose, ascending; none where there is none.
+  std::vector<Index> near_best(double factor) const;
+
   /// The most that any pose examined has, of inliers of which no two share a point where
   /// one-to-one is asked for; the best one may have fewer, of more distinct evidence.
   double to_beat(Measure measure) const {
@@ -79,6 +83,7 @@ class PoseSearch {
   void filter_graph(BitsetGraph& graph, const ScaleRange& scales) const;
 
  private:
+  Rival rival() const;
   void consider(Hypothesis pose);
 
   SolveContext& context_;
@@ -88,6 +93,7 @@ class PoseSearch {
   kernels::CorrespondenceArrays arrays_;
   std::vector<Hypothesis> found_;
   std::optional<Hypothesis> best_;
+  int num_in_vain_ = 0;  ///< poses near the best one that were no better
   double max_inliers_ = 0;
   double max_evidence_ = 0;
   std::set<std::vector<Index>> examined_;  ///< cliques
@@ -108,9 +114,13 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
 /// The same from all pairs.
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 
-/// Offers greedy maximal cliques grown from the vertices of largest core number that no earlier one
-/// covers, where a clique could beat the best evidence.
+/// Offers greedy maximal cliques grown from the vertices of largest degree that neither an earlier
+/// one covers nor the best pose explains, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
+
+/// Offers greedy maximal cliques of the correspondences near the best pose, until none leads to a
+/// better one.
+void explore_around_best(PoseSearch& search, const RangeGraph& range);
 
 /// Searches the range's graph for a clique that measures more than what is to be beaten and offers
 /// it.

@@ -117,7 +117,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 
   const Objective objective = [&] {
     const StageTimer timer(context, "evidence");
-    return Objective(centred, options.evidence, options.budget.memory / 4);
+    return Objective(centred, options.evidence, options.budget.memory / 4, scales);
   }();
   if (!objective.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");

@@ -10,10 +10,11 @@ ScaleRange default_scale_range(const Correspondences& correspondences);
 
 /// Search for the best pose over all scales of `search.scales()` (L5).
 ///
-/// Cuts the scales into bins and bounds each by the pairs that vote for it. Grows candidate cliques
-/// in the bins of most evidence; then, for the evidence and for the number of inliers, searches the
-/// graph of the bin of largest bound for a clique that beats the best pose, halves a bin whose
-/// bound stays above it, and so on until no bin can beat it or the number of graphs is spent.
+/// Cuts the scales into bins and bounds each by how many others each correspondence agrees with in
+/// it. Grows candidate cliques in the bins of most evidence; then, for the evidence and for the
+/// number of inliers, searches the graph of the bin of largest bound for a clique that beats the
+/// best pose, halves a bin whose bound stays above it, and so on until no bin can beat it, no
+/// halving can lower the largest bound or the number of graphs is spent.
 UpperBounds search_scales(PoseSearch& search);
 
 }  // namespace gmcr

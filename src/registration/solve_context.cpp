@@ -5,6 +5,26 @@
 #include <utility>
 
 namespace gmcr {
+namespace {
+
+/// Word operations that the search for a clique of most evidence may take: what small graphs need,
+/// and no more than some passes over large ones.
+std::uint64_t max_work(const BitsetGraph& graph) {
+  constexpr std::uint64_t kLeast = std::uint64_t{1} << 22;
+  constexpr std::uint64_t kPasses = 4;
+  return kLeast + kPasses * static_cast<std::uint64_t>(graph.num_vertices()) *
+                      static_cast<std::uint64_t>(graph.words_per_row());
+}
+
+/// Bytes that a clique search may take for copies of parts of the graph: a quarter of the graph, as
+/// large parts can hardly be searched, within what the budget leaves.
+std::size_t memory_for_copies(const BitsetGraph& graph, std::size_t budget) {
+  constexpr std::size_t kLeast = std::size_t{1} << 26;
+  const std::size_t bytes = BitsetGraph::bytes_required(graph.num_vertices());
+  return std::min(budget - std::min(budget, bytes), std::max(kLeast, bytes / 4));
+}
+
+}  // namespace
 
 SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
     : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time) {}
@@ -52,6 +72,8 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
   WeightedCliqueOptions clique_options;
   clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
   clique_options.max_nodes = max_nodes;
+  clique_options.max_work = max_work(graph);
+  clique_options.max_memory = memory_for_copies(graph, options_.budget.memory);
   clique_options.must_exceed = must_exceed;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;

@@ -79,7 +79,7 @@ RC_GTEST_PROP(WeightedPeeling, LosesNoVertexOfAHeavierClique, ()) {
   const std::int64_t to_beat = test::uniform_in(0, 60);
   SearchBudget budget = unlimited();
   WeightedPeeling peeling;
-  peeling.reset(graph, units, budget);
+  peeling.reset(graph, units, *rc::gen::element(std::int64_t{0}, to_beat), budget);
   peeling.peel(to_beat);
   const std::int64_t before = heaviest_among(graph, units, all_vertices(graph));
   const std::int64_t after = heaviest_among(graph, units, peeling.alive());
@@ -93,7 +93,7 @@ RC_GTEST_PROP(WeightedPeeling, LeavesOnlyNeighbourhoodsThatAreHeavyEnough, ()) {
   const std::int64_t to_beat = test::uniform_in(0, 400);
   SearchBudget budget = unlimited();
   WeightedPeeling peeling;
-  peeling.reset(graph, units, budget);
+  peeling.reset(graph, units, *rc::gen::element(std::int64_t{0}, to_beat), budget);
   peeling.peel(to_beat);
   Index num_alive = 0;
   for (Index v = 0; v < graph.num_vertices(); ++v) {
@@ -116,7 +116,7 @@ TEST(WeightedPeeling, UnravelsAPathFromItsEnds) {
   const std::vector<std::int64_t> units(200, 1);
   SearchBudget budget = unlimited();
   WeightedPeeling peeling;
-  peeling.reset(path, units, budget);
+  peeling.reset(path, units, 0, budget);
   EXPECT_EQ(peeling.heaviest_neighborhood(), 3);
   peeling.peel(2);
   EXPECT_EQ(peeling.num_alive(), 0);
@@ -206,7 +206,7 @@ TEST(WeightedBounds, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
   SearchBudget spent(0, 0);
   spent.out_of_time();
   WeightedPeeling peeling;
-  peeling.reset(graph, units, spent);
+  peeling.reset(graph, units, 0, spent);
   EXPECT_GE(peeling.heaviest_neighborhood(), heaviest);
   peeling.peel(heaviest - 1);
   EXPECT_GE(peeling.heaviest_neighborhood(), heaviest);

@@ -54,6 +54,37 @@ TEST(DistinctEvidence, SaysWhenItsMemoryDoesNotSufficeAndThenCounts) {
   EXPECT_EQ(evidence.weight(0, 1), 1);
 }
 
+TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
+  testing::RandomGeometry random(3);
+  Correspondences c{random.in_cube(200), random.in_cube(200), Eigen::ArrayXd(200)};
+  for (double& bound : c.bounds) bound = random.uniform(0.001, 0.15);
+  const DistinctEvidence all(c, kEnough), some(c, kEnough, {0.5, 2});
+  for (const double scale : {0.5, 0.7, 1.0, 2.0}) {
+    const DistinctEvidence known(c, kEnough, {scale, scale});
+    EXPECT_TRUE(known.has_partners());
+    for (Index i = 0; i < 200; ++i) {
+      EXPECT_EQ(known.weight(i, scale), all.weight(i, scale));
+      EXPECT_EQ(some.weight(i, scale), all.weight(i, scale));
+    }
+  }
+}
+
+TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
+  testing::RandomGeometry random(4);
+  const Correspondences c{random.in_cube(50), random.in_cube(50),
+                          Eigen::ArrayXd::Constant(50, 0.1)};
+  EXPECT_TRUE(DistinctEvidence(c, kEnough, {0.1, 0.1}).has_partners());
+  EXPECT_FALSE(DistinctEvidence(c, kEnough, {1e6, 1e6}).has_partners());
+}
+
+TEST(DistinctEvidence, OfOneHugeClusterEndsWithItsMemory) {
+  const Correspondences c{Points::Zero(3, 20'000), Points::Zero(3, 20'000),
+                          Eigen::ArrayXd::Ones(20'000)};
+  const DistinctEvidence evidence(c, kEnough, {1, 1});
+  EXPECT_FALSE(evidence.complete());
+  EXPECT_FALSE(evidence.has_partners());
+}
+
 TEST(DistinctEvidence, OfNothingIsComplete) {
   const Correspondences c{Points(3, 0), Points(3, 0), Eigen::ArrayXd(0)};
   EXPECT_TRUE(DistinctEvidence(c, 0).complete());

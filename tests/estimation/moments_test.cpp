@@ -95,6 +95,31 @@ TEST(Moments, OfAUnionAreTheSum) {
   EXPECT_NEAR(least_squares_bound(sum * 3, {0.5, 2}), 3 * whole, 1e-12);
 }
 
+TEST(MeasureMoments, OfRowsAreTheSumOverThePoints) {
+  testing::RandomGeometry random(5);
+  for (const Index count : {1, 2, 3, 8, 9}) {
+    const Points source = random.in_cube(count), target = random.in_cube(count);
+    const Eigen::ArrayXd bounds =
+        Eigen::ArrayXd::NullaryExpr(count, [&] { return random.uniform(0.1, 1); });
+    const Moments expected = moments_of(source, target, bounds);
+    const Moments m =
+        measure_moments(source.transpose(), target.transpose(), bounds.square().inverse());
+    EXPECT_NEAR(m.weight, expected.weight, 1e-12 * expected.weight);
+    EXPECT_LT((m.source_mean - expected.source_mean).norm(), 1e-14);
+    EXPECT_LT((m.target_mean - expected.target_mean).norm(), 1e-14);
+    EXPECT_LT((m.covariance - expected.covariance).norm(), 1e-12 * expected.weight);
+    EXPECT_NEAR(m.source_variance, expected.source_variance, 1e-12 * expected.weight);
+    EXPECT_NEAR(m.target_variance, expected.target_variance, 1e-12 * expected.weight);
+  }
+}
+
+TEST(MeasureMoments, OfRowsWithoutWeightAreNothing) {
+  const Eigen::MatrixX3d points = Eigen::MatrixX3d::Ones(4, 3);
+  const Moments m = measure_moments(points, points, Eigen::ArrayXd::Zero(4));
+  EXPECT_EQ(m.weight, 0);
+  EXPECT_EQ(m.covariance, Eigen::Matrix3d::Zero());
+}
+
 TEST(LeastSquaresBound, OfNothingAndOfOnePointIsZero) {
   EXPECT_EQ(least_squares_bound({}, {1, 1}), 0);
   Moments one;

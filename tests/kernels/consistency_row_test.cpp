@@ -1,40 +1,16 @@
 #include "kernels/consistency_row.hpp"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <vector>
 
 #include "gmcr/isa.hpp"
+#include "kernels/for_each_isa.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr {
 namespace {
-
-/// Makes the library choose one instruction set, and every one again in the end.
-class ForcedTarget {
- public:
-  explicit ForcedTarget(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  ~ForcedTarget() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  ForcedTarget(const ForcedTarget&) = delete;
-  ForcedTarget& operator=(const ForcedTarget&) = delete;
-};
-
-std::vector<std::int64_t> available_targets() {
-  std::vector<std::int64_t> targets;
-  for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
-    targets.push_back(rest & -rest);
-  }
-  return targets;
-}
 
 kernels::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
   testing::RandomGeometry random(seed);
@@ -52,10 +28,7 @@ kernels::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
 }
 
 TEST(ConsistencyRow, GivesTheBitsOfTheReferenceOnEveryInstructionSet) {
-  const std::vector<std::int64_t> targets = available_targets();
-  ASSERT_GE(targets.size(), 1u);
-  for (const std::int64_t target : targets) {
-    const ForcedTarget forced(target);
+  testing::for_each_isa([] {
     for (const Index count : {1, 2, 63, 64, 65, 127, 128, 129, 511, 512, 513}) {
       const auto arrays = random_arrays(static_cast<std::uint64_t>(count), count);
       const auto words = static_cast<std::size_t>((count + 63) / 64);
@@ -64,11 +37,11 @@ TEST(ConsistencyRow, GivesTheBitsOfTheReferenceOnEveryInstructionSet) {
         for (Index i = 0; i < count; i += 1 + count / 20) {
           kernels::consistency_row(arrays, i, low, high, row);
           kernels::consistency_row_reference(arrays, i, low, high, reference);
-          ASSERT_EQ(row, reference) << hwy::TargetName(target) << ' ' << count << ' ' << i;
+          ASSERT_EQ(row, reference) << count << ' ' << i;
         }
       }
     }
-  }
+  });
 }
 
 TEST(IsConsistent, IsL1ButForRounding) {
@@ -90,6 +63,23 @@ TEST(IsConsistent, IsL1ButForRounding) {
     }
   }
   EXPECT_LT(in_doubt, 200);
+}
+
+TEST(PairLengths, HaveTheBitsOfTheReferenceOnEveryInstructionSet) {
+  testing::for_each_isa([] {
+    for (Index count = 1; count <= 200; ++count) {
+      const auto arrays = random_arrays(static_cast<std::uint64_t>(count), count);
+      for (Index i = 0; i < count; i += 1 + count / 5) {
+        const auto rest = static_cast<std::size_t>(count - i - 1);
+        std::vector<double> source(rest), target(rest), source_reference(rest),
+            target_reference(rest);
+        kernels::pair_lengths(arrays, i, source, target);
+        kernels::pair_lengths_reference(arrays, i, source_reference, target_reference);
+        ASSERT_EQ(source, source_reference) << count << ' ' << i;
+        ASSERT_EQ(target, target_reference) << count << ' ' << i;
+      }
+    }
+  });
 }
 
 TEST(InstructionSets, AreNamedBestFirst) {

@@ -44,12 +44,13 @@ SyntheticProblem ball_problem(double outlier_rate, NoiseShape shape, bool scaled
   return make_synthetic(options);
 }
 
-void expect_found(const SyntheticProblem& problem, const Options& options) {
+void expect_found(const SyntheticProblem& problem, const Options& options,
+                  double lowest = kNoise / 2) {
   const Result result = register_correspondences(problem.source, problem.target, options);
   ASSERT_EQ(result.status, Status::Ok) << result.status_reason;
   ASSERT_TRUE(result.noise_estimate);
   const NoiseEstimate& noise = *result.noise_estimate;
-  EXPECT_GT(noise.noise_bound, kNoise / 2);
+  EXPECT_GT(noise.noise_bound, lowest);
   EXPECT_LT(noise.noise_bound, kNoise * 2);
   EXPECT_LT(noise.log10_false_alarms, -10);
   EXPECT_LE(noise.stable_min, noise.noise_bound);
@@ -65,8 +66,10 @@ TEST(NoiseEstimation, FindsTheRadiusOfNoiseInABall) {
 }
 
 TEST(NoiseEstimation, FindsGaussianNoise) {
+  // its root mean square is 0.58 of its extent, known to a fifth from 30 inliers
+  const double lowest = 0.45 * kNoise;
   for (const double outlier_rate : {0.5, 0.8, 0.9}) {
-    expect_found(ball_problem(outlier_rate, NoiseShape::Gaussian, false), unknown_noise());
+    expect_found(ball_problem(outlier_rate, NoiseShape::Gaussian, false), unknown_noise(), lowest);
   }
 }
 

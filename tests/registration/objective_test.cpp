@@ -38,6 +38,17 @@ TEST(Objective, GivesCopiesOneVoteWhenTheEvidenceIsDistinct) {
   EXPECT_EQ(objective.judge(problem.truth).num_inliers(), 10);
 }
 
+TEST(Objective, WeighsAtAKnownScaleAsInARange) {
+  const auto problem = testing::random_problem(4, 30, 60);
+  const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(90, 0.1)};
+  const Objective all(c, Evidence::Distinct, kEnough);
+  const Objective known(c, Evidence::Distinct, kEnough, {1, 1});
+  ASSERT_TRUE(known.is_weighted());
+  EXPECT_TRUE(all.weights_depend_on_scale());
+  EXPECT_FALSE(known.weights_depend_on_scale());
+  for (Index i = 0; i < 90; ++i) EXPECT_EQ(known.weight(i, 1), all.weight(i, 1));
+}
+
 TEST(Objective, TakesNoResidualThatIsNotANumberForAnInlier) {
   const auto problem = testing::random_problem(2, 10, 0);
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(10, 0.01)};
@@ -77,7 +88,7 @@ TEST(OptimiseLocally, BringsAPoseNearTheTruthToAllInliers) {
   Similarity start = problem.truth;
   start.translation += Eigen::Vector3d(0.012, 0, 0);
   ASSERT_LT(objective.judge(start).num_inliers(), 30);
-  const Hypothesis best = optimise_locally(objective, {1, 1}, start);
+  const Hypothesis best = *optimise_locally(objective, {1, 1}, start);
   EXPECT_GE(best.num_inliers(), 36);
 }
 
@@ -91,13 +102,13 @@ TEST(ReachForMore, TakesInTheInliersWhoseNoiseIsCloseToTheBound) {
     }
     const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(100, 0.01)};
     const Objective objective(c, Evidence::Count, kEnough);
-    const Hypothesis fit = optimise_locally(objective, {1, 1}, problem.truth);
+    const Hypothesis fit = *optimise_locally(objective, {1, 1}, problem.truth);
     const Hypothesis more = reach_for_more(objective, {1, 1}, fit);
     EXPECT_FALSE(is_better(fit, more));
     EXPECT_GE(more.num_inliers(), fit.num_inliers());
     EXPECT_EQ(more.inliers, objective.judge(more.target_from_source).inliers);
     const Hypothesis mean = objective.judge(
-        optimise_locally(objective, {1, 1}, more.target_from_source).target_from_source);
+        optimise_locally(objective, {1, 1}, more.target_from_source)->target_from_source);
     before += static_cast<int>(mean.num_inliers());
     after += static_cast<int>(more.num_inliers());
   }
@@ -112,7 +123,7 @@ TEST(OptimiseLocally, IsNeverWorseThanItsStart) {
     const Objective objective(c, Evidence::Distinct, kEnough);
     testing::RandomGeometry random(seed);
     const Similarity start = random.similarity(1, 1, 1);
-    EXPECT_FALSE(is_better(objective.judge(start), optimise_locally(objective, {1, 1}, start)));
+    EXPECT_FALSE(is_better(objective.judge(start), *optimise_locally(objective, {1, 1}, start)));
   }
 }
 

@@ -50,6 +50,51 @@ TEST(ScaleSearch, FindsWhatNoVoteOverPairsCanSee) {
   }
 }
 
+TEST(ScaleSearch, ClosesMostBinsByTheirVotes) {
+  const auto problem = testing::random_problem(1, 50, 450, 2);
+  const Result result = register_correspondences(problem.source, problem.target,
+                                                 problem.options_with_unknown_scale());
+  EXPECT_TRUE(result.certificate.certified);
+  EXPECT_LE(result.diagnostics.num_scale_ranges, 10);  // of some 300 bins
+}
+
+TEST(ScaleSearch, HalvesNoRangeWhoseLargestCliqueAgreesAtOneScale) {
+  int num_open = 0;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SyntheticOptions synthetic;
+    synthetic.num_correspondences = 300;
+    synthetic.outlier_rate = 0.5;
+    synthetic.scale_range = {2.5, 2.5};
+    synthetic.seed = seed;
+    const SyntheticProblem problem = make_synthetic(synthetic);
+    Options options;
+    options.noise_bound = problem.noise_bound;
+    options.scale_mode = ScaleMode::Estimated;
+    options.evidence = Evidence::Count;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    num_open += !result.certificate.certified;
+    EXPECT_LE(result.diagnostics.num_scale_ranges, 12);
+  }
+  EXPECT_GE(num_open, 1);  // else nothing was tested
+}
+
+TEST(ScaleSearch, FindsTheSameWithoutMemoryForLists) {
+  SyntheticOptions synthetic;
+  synthetic.num_correspondences = 300;
+  synthetic.outlier_rate = 0.96;
+  synthetic.scale_range = {2.5, 2.5};
+  const SyntheticProblem problem = make_synthetic(synthetic);
+  Options options;
+  options.noise_bound = problem.noise_bound;
+  options.scale_mode = ScaleMode::Estimated;
+  const Result roomy = register_correspondences(problem.source, problem.target, options);
+  options.budget.memory = 1 << 15;
+  const Result tight = register_correspondences(problem.source, problem.target, options);
+  EXPECT_GT(tight.diagnostics.num_scale_ranges, 8);  // so many that pairs are listed where they fit
+  EXPECT_EQ(roomy.inliers, tight.inliers);
+  EXPECT_EQ(roomy.certificate.upper, tight.certificate.upper);
+}
+
 TEST(ScaleSearch, BoundsThePosesOfEveryScale) {
   // brute force over poses is out of reach; the consensus of known transforms must stay below the
   // bound
