@@ -10,6 +10,7 @@ namespace {
 
 // Starts of greedy cliques: one for 64 vertices, within these bounds.
 constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 16;
+constexpr Index kMaxVerticesToColorTwice = 1024;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 
@@ -59,6 +60,11 @@ Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
     incumbent_.offer(greedy_clique_by_candidates(graph_, start, degree));
   }
   if (!settled()) bound_by_colors(alive);
+  // Graphs made by a rule are often coloured best as their vertices are numbered.
+  if (!settled() && graph_.num_vertices <= kMaxVerticesToColorTwice) {
+    lower_bound_to(
+        std::max(color_greedily(graph_, alive, {}, &budget_).num_colors, incumbent_.to_beat()));
+  }
   if (!settled()) {
     cores_ = degeneracy_order(graph_, &budget_);
     lower_bound_to(cores_.degeneracy + 1);
