@@ -88,6 +88,8 @@ void add_clique_command(CLI::App& app, Work& work) {
   command.add_option("--max-nodes", arguments->options.max_nodes, "Search nodes to visit")
       ->check(not_negative())
       ->capture_default_str();
+  command.add_option("--threads", arguments->options.num_threads, "Threads; 0 uses every core")
+      ->capture_default_str();
   command.add_option("--memory-limit", arguments->memory_limit, "Bytes for the graph, such as 2GB")
       ->check(not_negative())
       ->transform(CLI::AsSizeValue(false))

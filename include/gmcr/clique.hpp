@@ -15,12 +15,12 @@ namespace gmcr {
 struct CliqueOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
   std::uint64_t max_nodes =
-      std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
+      std::numeric_limits<std::uint64_t>::max();  ///< search nodes, never exceeded; deterministic
   std::vector<Index> initial_clique;              ///< known clique to start from; may be empty
   /// Report only a clique with more vertices than this; 0 reports any. A search that proves that
   /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
   Index must_exceed = 0;
-  int num_threads = 0;  ///< 0 uses every core; the result is the same for any number
+  int num_threads = 0;  ///< 0 ... 1024; 0 uses every core. The result is the same for any number.
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;
@@ -36,15 +36,21 @@ struct CliqueResult {
 
 /// Maximum clique of `graph`, exact unless a limit of `options` binds.
 ///
-/// Bounds from cheap to costly, each of which may settle it: degrees with a greedy clique, a
-/// colouring seeded with that clique, core numbers with more greedy cliques. Then branch and bound
-/// over bit rows on the vertices that a colouring leaves over (Tomita and Seki 2003; Tomita et al.
-/// 2010; San Segundo et al. 2011 and 2015), one neighbourhood after the other. Nearly complete
-/// graphs are first reduced and split on their complement and their clique improved by swaps.
-/// Deterministic: the same graph and options without a time limit give the same vertices.
+/// Bounds from cheap to costly, each of which may settle it: degrees, greedy cliques from vertices
+/// of high degree, a filter by degrees among what is left, a colouring seeded with the best clique,
+/// core numbers with more greedy cliques. Then branch and bound over bit rows on the vertices that
+/// a colouring leaves over (Tomita and Seki 2003; San Segundo et al. 2011), one neighbourhood after
+/// the other, with re-colouring (Tomita et al. 2010) and conflicts of classes by unit propagation
+/// (Li and Quan 2010). Nearly complete graphs are first reduced and split on their complement and
+/// their clique improved by swaps.
+/// Deterministic: the same graph and options without a time limit give the same vertices, bound and
+/// number of nodes, for any number of threads and any instruction set. A search that takes less
+/// than milliseconds starts no threads.
 /// @throws std::invalid_argument where an option is out of range or `initial_clique` is no clique.
-/// Cost O(E + n^2 / 64) before the search, plus 16 greedy cliques; exponential in the worst case,
-/// so set a limit for unknown graphs.
+/// Cost O(E + n^2 / 64) before the search, plus up to 20 greedy cliques; exponential in the worst
+/// case, so set a limit for unknown graphs. Memory: a copy of the vertices that the bounds leave
+/// over (none above 64 MiB where these are most of the graph), and up to 256 MiB for the
+/// neighbourhoods that are searched at a time.
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options = {});
 
 /// How a search for a clique of maximum weight may end early.

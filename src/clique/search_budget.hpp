@@ -59,7 +59,7 @@ class SearchBudget {
   /// Takes what a part of it spent.
   void take(const SearchBudget& part) {
     nodes_ += part.nodes_;
-    work_ += part.work_;
+    work_ += part.work();
     out_of_time_ = out_of_time_ || part.out_of_time_;
     spent_ = spent_ || out_of_time_;
   }
@@ -67,7 +67,6 @@ class SearchBudget {
   std::uint64_t work() const { return work_; }  ///< word operations so far, about
   std::uint64_t nodes_left() const { return max_nodes_ - nodes_; }
   bool spent() const { return spent_; }
-  bool timed_out() const { return out_of_time_; }
   std::uint64_t nodes() const { return nodes_; }
 
  private:

@@ -8,7 +8,9 @@
 namespace gmcr {
 namespace {
 
-constexpr int kNumGreedyStarts = 16;
+// Starts of greedy cliques: one for 64 vertices, within these bounds.
+constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 16;
+constexpr Index kMaxVerticesToColorTwice = 1024;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 
@@ -17,11 +19,12 @@ constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 void grow_cliques(RowsView graph, std::span<const Index> starts, std::span<const Index> priority,
                   Incumbent& incumbent, SearchBudget& budget, Index upper_bound) {
   std::vector<char> covered(graph.num_vertices, 0);
-  int num_starts = 0;
+  const Index max_starts = std::clamp(graph.num_vertices / 64, kMinGreedyStarts, kMaxGreedyStarts);
+  Index num_starts = 0;
   for (const Index start : starts) {
     if (covered[start]) continue;
     if (upper_bound <= incumbent.to_beat() || budget.out_of_time()) return;
-    if (num_starts++ == kNumGreedyStarts) return;
+    if (num_starts++ == max_starts) return;
     std::vector<Index> clique = greedy_clique_by_candidates(graph, start, priority);
     for (const Index v : clique) covered[v] = 1;
     incumbent.offer(std::move(clique));
@@ -57,6 +60,11 @@ Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
     incumbent_.offer(greedy_clique_by_candidates(graph_, start, degree));
   }
   if (!settled()) bound_by_colors(alive);
+  // Graphs made by a rule are often coloured best as their vertices are numbered.
+  if (!settled() && graph_.num_vertices <= kMaxVerticesToColorTwice) {
+    lower_bound_to(
+        std::max(color_greedily(graph_, alive, {}, &budget_).num_colors, incumbent_.to_beat()));
+  }
   if (!settled()) {
     cores_ = degeneracy_order(graph_, &budget_);
     lower_bound_to(cores_.degeneracy + 1);

@@ -78,6 +78,9 @@ TEST(File, ThatCannotBeReadOrWrittenIsNamed) {
   expect_failure("register " + folder.write("e.ply", "").string() + " " + cloud, 3, "empty");
   expect_failure("match " + cloud + " " + path("a.foo") + " -o x.csv", 3, "unknown extension");
   expect_failure("clique " + path("g.clq"), 3, "g.clq");
+  expect_failure(
+      "clique " + folder.write("e.clq", "p edge 2 1\ne 1 2\n").string() + " --threads -1", 2,
+      "--threads");
   expect_failure("clique " + folder.write("h.clq", "p edge 9999999 1\n").string(), 3, "bytes");
   expect_failure("eval " + path("none.txt") + " " + truth, 3, "none.txt");
   expect_failure("eval " + folder.write("r.json", "{").string() + " " + truth, 3, "no JSON");

@@ -95,6 +95,8 @@ TEST(CliqueOption, MaxNodesLeavesTheProofOpen) {
   const json few = run_json("clique '" + path.string() + "' --max-nodes 1");
   EXPECT_EQ(few.at("proven_optimal"), false);
   EXPECT_GT(few.at("upper_bound"), all.at("clique_size"));
+  const json threads = run_json("clique '" + path.string() + "' --threads 3");
+  EXPECT_EQ(threads.at("vertices"), all.at("vertices"));
 }
 
 TEST(SynthOption, EachChangesTheProblem) {
