@@ -34,25 +34,36 @@ bool PackedGraph::copy_columns(RowsView graph, SearchBudget* budget) {
 }
 
 void PackedGraph::order_columns() {
+  constexpr Index kSide = 8;  // blocks whose words fill a cache line of each of their rows
   const Index n = num_vertices(), num_blocks = words_for_bits(n);
   ascending_.resize(n);
   std::iota(ascending_.begin(), ascending_.end(), 0);
   std::sort(ascending_.begin(), ascending_.end(),
             [&](std::int32_t a, std::int32_t b) { return vertices_[a] < vertices_[b]; });
-  kernels::BitBlock block;
-  for (Index row = 0; row < num_blocks; ++row) {
-    const Index first = row * kBitsPerWord, num_rows = std::min(kBitsPerWord, n - first);
-    for (Index column = 0; column < num_blocks; ++column) {
-      const Index begin = column * kBitsPerWord, num_columns = std::min(kBitsPerWord, n - begin);
-      block.fill(0);
-      for (Index r = 0; r < num_rows; ++r) {
-        block[r] = half_ordered_[(first + r) * words_per_row_ + column];
-      }
-      kernels::transpose(block);
-      for (Index c = 0; c < num_columns; ++c) {
-        words_[ascending_[begin + c] * words_per_row_ + row] = block[c];
+  for (Index row = 0; row < num_blocks; row += kSide) {
+    for (Index column = 0; column < num_blocks; column += kSide) {
+      const Index row_end = std::min(row + kSide, num_blocks);
+      const Index column_end = std::min(column + kSide, num_blocks);
+      for (Index r = row; r < row_end; ++r) {
+        for (Index c = column; c < column_end; ++c) order_block(r, c);
       }
     }
+  }
+}
+
+/// Turns rows in order with columns ascending into ascending columns of rows in order.
+void PackedGraph::order_block(Index row_block, Index column_block) {
+  const Index n = num_vertices();
+  const Index row = row_block * kBitsPerWord, num_rows = std::min(kBitsPerWord, n - row);
+  const Index column = column_block * kBitsPerWord,
+              num_columns = std::min(kBitsPerWord, n - column);
+  kernels::BitBlock block{};
+  for (Index r = 0; r < num_rows; ++r) {
+    block[r] = half_ordered_[(row + r) * words_per_row_ + column_block];
+  }
+  kernels::transpose(block);
+  for (Index c = 0; c < num_columns; ++c) {
+    words_[ascending_[column + c] * words_per_row_ + row_block] = block[c];
   }
 }
 

@@ -33,6 +33,7 @@ class PackedGraph {
  private:
   bool copy_columns(RowsView graph, SearchBudget* budget);
   void order_columns();
+  void order_block(Index row_block, Index column_block);
   bool copy_bit_by_bit(RowsView graph, SearchBudget* budget);
 
   Index words_per_row_ = 0;

@@ -1,5 +1,6 @@
 #include "clique/weighted_coloring.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace gmcr {
@@ -100,12 +101,27 @@ bool WeightedColoring::covers(const Word* candidates, std::int64_t max_units) {
 }
 
 std::int64_t WeightedColoring::bound(const Word* candidates) {
-  start(candidates, Splitting::None);
-  do {
-    take_class();
-  } while (!class_.empty() && !budget_->spent());
-  for_each_bit(uncolored_.data(), graph_.words_per_row, [&](Index v) { cost_ += left_[v]; });
-  return cost_;
+  const Index words = graph_.words_per_row;
+  std::vector<Index> rest;
+  for_each_bit(candidates, words, [&](Index v) { rest.push_back(v); });
+  std::stable_sort(rest.begin(), rest.end(),
+                   [&](Index a, Index b) { return units_[a] > units_[b]; });
+  std::int64_t cost = 0;
+  while (!rest.empty() && !budget_->spent()) {
+    cost += units_[rest.front()];
+    std::fill(free_.begin(), free_.end(), ~Word{0});
+    Index num_taken = 0;
+    std::erase_if(rest, [&](Index v) {
+      if (!test_bit(free_.data(), v)) return false;
+      const Word* row = graph_.row(v);
+      for (Index w = 0; w < words; ++w) free_[w] &= ~row[w];
+      ++num_taken;
+      return true;
+    });
+    budget_->spend_work((num_taken + 1) * words + static_cast<Index>(rest.size()));
+  }
+  for (const Index v : rest) cost += units_[v];
+  return cost;
 }
 
 }  // namespace gmcr

@@ -50,15 +50,15 @@ Index count_common_bits(const std::uint64_t* a, const std::uint64_t* b, Index nu
 
 std::int64_t sum_over_common_bits(const std::uint64_t* a, const std::uint64_t* b, Index num_words,
                                   const std::int64_t* values, Index num_values) {
-  constexpr int kDense = 12;  // bits of a word from which whole vectors are faster
   const Values lanes;
   const auto step = static_cast<Index>(hn::Lanes(lanes));
+  const auto dense = static_cast<int>(24 / step);  // bits of a word from which vectors are faster
   auto sums = hn::Zero(lanes);
   std::int64_t rest = 0;
   for (Index i = 0; i < num_words; ++i) {
     std::uint64_t word = a[i] & b[i];
     const std::int64_t* first = values + 64 * i;
-    if (__builtin_popcountll(word) < kDense || 64 * (i + 1) > num_values) {
+    if (__builtin_popcountll(word) < dense || 64 * (i + 1) > num_values) {
       for (; word != 0; word &= word - 1) rest += first[__builtin_ctzll(word)];
       continue;
     }
