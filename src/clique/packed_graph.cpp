@@ -80,4 +80,15 @@ bool PackedGraph::copy_bit_by_bit(RowsView graph, SearchBudget* budget) {
   return true;
 }
 
+BitsetGraph induced_subgraph(const BitsetGraph& graph, std::span<const Index> vertices) {
+  PackedGraph packed;
+  packed.assign(graph, vertices);
+  BitsetGraph subgraph(packed.num_vertices());
+  // rows of the packed graph may be padded
+  for (Index v = 0; v < packed.num_vertices(); ++v) {
+    std::copy_n(packed.row(v), subgraph.words_per_row(), subgraph.mutable_row(v).begin());
+  }
+  return subgraph;
+}
+
 }  // namespace gmcr

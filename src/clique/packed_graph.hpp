@@ -45,4 +45,8 @@ class PackedGraph {
   std::vector<std::int32_t> ascending_;  // numbers here, by ascending original
 };
 
+/// The subgraph of `graph` that `vertices` induce, as a graph of its own; vertex i of it is
+/// `vertices[i]`.
+BitsetGraph induced_subgraph(const BitsetGraph& graph, std::span<const Index> vertices);
+
 }  // namespace gmcr

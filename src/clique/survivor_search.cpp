@@ -9,7 +9,7 @@ namespace gmcr {
 namespace {
 
 // Starts of greedy cliques: one for 64 vertices, within these bounds.
-constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 16;
+constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 8;
 constexpr Index kMaxVerticesToColorTwice = 1024;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB

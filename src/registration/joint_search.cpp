@@ -26,15 +26,6 @@ std::vector<Index> without(const std::vector<Index>& members, const std::vector<
 }
 
 /// The subgraph that vertices induce, in their order.
-BitsetGraph induced(const BitsetGraph& graph, const std::vector<Index>& vertices) {
-  PackedGraph packed;
-  packed.assign(graph, vertices);
-  BitsetGraph subgraph(packed.num_vertices());
-  for (Index v = 0; v < packed.num_vertices(); ++v) {
-    std::copy_n(packed.row(v), packed.words_per_row(), subgraph.mutable_row(v).begin());
-  }
-  return subgraph;
-}
 
 }  // namespace
 
@@ -106,7 +97,7 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
   }
   std::sort(vertices.begin(), vertices.end());
   Node next;
-  next.graph = induced(node.graph, vertices);
+  next.graph = induced_subgraph(node.graph, vertices);
   for (const Index v : vertices) next.open.push_back(node.open[static_cast<std::size_t>(v)]);
   const auto i = static_cast<std::size_t>(node.open[static_cast<std::size_t>(chosen)]);
   next.kept = node.kept;
@@ -116,7 +107,7 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
 }
 
 void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
-  node.graph = induced(node.graph, vertices);
+  node.graph = induced_subgraph(node.graph, vertices);
   std::vector<Index> open;
   for (const Index v : vertices) open.push_back(node.open[static_cast<std::size_t>(v)]);
   node.open = std::move(open);

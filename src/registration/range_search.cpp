@@ -48,16 +48,6 @@ double evidence_around(const BitsetGraph& graph, const std::vector<double>& weig
   return around;
 }
 
-BitsetGraph induced_subgraph(const BitsetGraph& graph, const std::vector<Index>& vertices) {
-  PackedGraph packed;
-  packed.assign(graph, vertices);
-  BitsetGraph subgraph(packed.num_vertices());
-  for (Index v = 0; v < packed.num_vertices(); ++v) {
-    std::copy_n(packed.row(v), subgraph.words_per_row(), subgraph.mutable_row(v).begin());
-  }
-  return subgraph;
-}
-
 std::vector<Index> by_descending(const std::vector<Index>& values) {
   std::vector<Index> order(values.size());
   std::iota(order.begin(), order.end(), Index{0});
