@@ -21,6 +21,9 @@ struct CliqueOptions {
   /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
   Index must_exceed = 0;
   int num_threads = 0;  ///< 0 ... 1024; 0 uses every core. The result is the same for any number.
+  /// Bytes for copies of large parts of the graph; where they do not suffice, it is searched in
+  /// place, which takes longer and may bound less tightly.
+  std::size_t max_memory = std::numeric_limits<std::size_t>::max();
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;

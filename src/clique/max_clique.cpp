@@ -45,7 +45,8 @@ class Solver {
         budget_(options.time_limit, options.max_nodes),
         must_exceed_(options.must_exceed),
         upper_bound_(graph.num_vertices()),
-        num_threads_(options.num_threads) {}
+        num_threads_(options.num_threads),
+        max_memory_(options.max_memory) {}
 
   CliqueResult solve() {
     if (!settled()) bound_by_degrees();
@@ -95,8 +96,9 @@ class Solver {
     const Index count = static_cast<Index>(survivors.size());
     lower_bound_to(std::max(count, incumbent_.to_beat()));
     if (settled()) return;
-    if (4 * count > 3 * graph_.num_vertices) {
-      SurvivorSearch search(graph_, incumbent_, budget_, num_threads_);
+    const std::size_t bytes = BitsetGraph::bytes_required(count);
+    if (4 * count > 3 * graph_.num_vertices || bytes > max_memory_) {
+      SurvivorSearch search(graph_, incumbent_, budget_, num_threads_, max_memory_);
       lower_bound_to(search.run(alive, must_exceed_ > 0));
       return;
     }
@@ -105,7 +107,7 @@ class Solver {
     Incumbent inner = incumbent_within(packed, graph_.num_vertices, incumbent_);
     std::vector<Word> all(packed.words_per_row(), 0);
     for (Index v = 0; v < count; ++v) set_bit(all.data(), v);
-    SurvivorSearch search(packed.view(), inner, budget_, num_threads_);
+    SurvivorSearch search(packed.view(), inner, budget_, num_threads_, max_memory_ - bytes);
     lower_bound_to(search.run(all, must_exceed_ > 0));
     incumbent_.offer(originals_of(packed, inner.clique()));
   }
@@ -116,6 +118,7 @@ class Solver {
   Index must_exceed_;
   Index upper_bound_;
   int num_threads_;
+  std::size_t max_memory_;
   std::vector<Index> degree_;
 };
 

@@ -92,8 +92,7 @@ class Solver {
 
   /// Branch and bound on what is left, if it may be copied.
   void search_survivors() {
-    constexpr std::size_t kCopies = 2;
-    if (kCopies * BitsetGraph::bytes_required(peeling_.num_alive()) > max_memory_) return;
+    if (PackedGraph::bytes_required(peeling_.num_alive()) > max_memory_) return;
     std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);

@@ -22,6 +22,11 @@ class PackedGraph {
   /// not ascend.
   bool assign(RowsView graph, std::span<const Index> vertices, SearchBudget* budget = nullptr);
 
+  /// Bytes that `assign` takes for so many vertices in any order.
+  static std::size_t bytes_required(Index num_vertices) {
+    return 2 * BitsetGraph::bytes_required(num_vertices);
+  }
+
   Index num_vertices() const { return static_cast<Index>(vertices_.size()); }
   Index words_per_row() const { return words_per_row_; }
   const Word* row(Index v) const { return words_.data() + v * words_per_row_; }

@@ -94,7 +94,8 @@ void SurvivorSearch::search_core() {
   }
   const Index count = static_cast<Index>(survivors.size());
   const bool copies =
-      count * words_for_bits(count) <= kMaxWordsOfFullCopy || 2 * count <= graph_.num_vertices;
+      PackedGraph::bytes_required(count) <= max_memory_ &&
+      (count * words_for_bits(count) <= kMaxWordsOfFullCopy || 2 * count <= graph_.num_vertices);
   if (!copies) {
     lower_bound_to(RootSearch(graph_, cores_.core, incumbent_, budget_, num_threads_).run());
     return;

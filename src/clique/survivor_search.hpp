@@ -24,11 +24,14 @@ std::vector<Index> originals_of(const PackedGraph& part, std::span<const Index> 
 /// branch and bound on a renumbered copy.
 class SurvivorSearch {
  public:
-  SurvivorSearch(RowsView graph, Incumbent& incumbent, SearchBudget& budget, int num_threads)
+  /// @param max_memory  bytes for a copy of the vertices searched.
+  SurvivorSearch(RowsView graph, Incumbent& incumbent, SearchBudget& budget, int num_threads,
+                 std::size_t max_memory)
       : graph_(graph),
         incumbent_(incumbent),
         budget_(budget),
         num_threads_(num_threads),
+        max_memory_(max_memory),
         upper_bound_(graph.num_vertices) {}
 
   /// Searches all of `graph` unless the budget ends.
@@ -49,6 +52,7 @@ class SurvivorSearch {
   Incumbent& incumbent_;
   SearchBudget& budget_;
   int num_threads_;
+  std::size_t max_memory_;
   Index upper_bound_;
   Degeneracy cores_;
 };

@@ -6,6 +6,7 @@
 #include "kernels/consistency_tiles.hpp"
 
 namespace gmcr {
+
 kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
                                                  double scale_max) {
   // a residual of the caller's coordinates is off by a few units in the last place of its terms
@@ -20,10 +21,10 @@ kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspo
 }
 
 BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
-                              int num_threads) {
+                              int num_threads, const Deadline& deadline) {
   BitsetGraph graph(arrays.size());
   const kernels::ConsistencyTiles tiles(arrays, scales.min, scales.max);
-  write_symmetric_blocks(graph, num_threads,
+  write_symmetric_blocks(graph, num_threads, deadline,
                          [&](Index row, Index column) { return tiles.tile(row, column); });
   return graph;
 }

@@ -4,6 +4,7 @@
 #include "gmcr/options.hpp"
 #include "invariants/correspondences.hpp"
 #include "kernels/consistency_row.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr {
 
@@ -15,8 +16,9 @@ kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspo
 /// Graph whose edges are the pairs that agree at some scale of `scales` (L1, L5).
 ///
 /// The consensus set of every transform with a scale in the range is a clique of it.
-/// Cost O(N^2), memory N^2 / 8 bytes.
+/// Where the deadline passes first, edges are missing: cliques are cliques still, bounds mean
+/// nothing. Cost O(N^2), memory N^2 / 8 bytes.
 BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
-                              int num_threads);
+                              int num_threads, const Deadline& deadline = Deadline::never());
 
 }  // namespace gmcr

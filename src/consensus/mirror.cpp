@@ -15,12 +15,13 @@ constexpr Index kSide = 4;     // blocks: what a square of them writes fits the 
 /// squares of kSide x kSide blocks: neighbouring words of a row, above and below the diagonal, are
 /// written while their cache line is near.
 template <typename Body>
-void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Body& body) {
+void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Deadline& deadline,
+                          const Body& body) {
   const Index num_blocks = graph.words_per_row(), num_squares = (num_blocks + kSide - 1) / kSide;
   const int threads = graph.num_vertices() < kSmall ? 1 : num_threads;
   parallel_for(num_squares * num_squares, 1, threads, [&](Index square, Index) {
     const Index row = square / num_squares, column = square % num_squares;
-    if (row > column) return;
+    if (row > column || deadline.expired()) return;
     const Index row_end = std::min((row + 1) * kSide, num_blocks);
     const Index column_end = std::min((column + 1) * kSide, num_blocks);
     for (Index r = row * kSide; r < row_end; ++r) {
@@ -64,10 +65,10 @@ void write_block(BitsetGraph& graph, Index row_block, Index column_block,
 
 }  // namespace
 
-void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
+void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const Deadline& deadline,
                             const std::function<kernels::BitBlock(Index, Index)>& block) {
   touch_rows(graph, num_threads);
-  for_each_upper_block(graph, num_threads, [&](Index row, Index column) {
+  for_each_upper_block(graph, num_threads, deadline, [&](Index row, Index column) {
     kernels::BitBlock bits = block(row, column);
     write_block(graph, row, column, bits);
     if (row == column) return;
@@ -77,7 +78,7 @@ void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
 }
 
 void mirror_upper_blocks(BitsetGraph& graph, int num_threads) {
-  for_each_upper_block(graph, num_threads, [&](Index row, Index column) {
+  for_each_upper_block(graph, num_threads, Deadline::never(), [&](Index row, Index column) {
     if (row == column) return;
     kernels::BitBlock bits = read_block(graph, row, column);
     kernels::transpose(bits);

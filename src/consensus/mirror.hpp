@@ -4,6 +4,7 @@
 
 #include "gmcr/bitset_graph.hpp"
 #include "kernels/bit_block.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr {
 
@@ -11,8 +12,8 @@ namespace gmcr {
 /// @param block  block(row_block, column_block), row_block <= column_block: bits past the last
 ///     vertex are 0, and a block on the diagonal is symmetric without loops. Called from several
 ///     threads.
-/// Cost O(N^2 / 64).
-void write_symmetric_blocks(BitsetGraph& graph, int num_threads,
+/// Where the deadline passes first, blocks are missing, with their mirror images. Cost O(N^2 / 64).
+void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const Deadline& deadline,
                             const std::function<kernels::BitBlock(Index, Index)>& block);
 
 /// Makes a graph symmetric whose rows are right from the block of 64 columns that holds their

@@ -70,7 +70,7 @@ std::optional<Pruned> prune_by_consistency(SolveContext& context,
                                            const PairFilter& filter) {
   const StageTimer timer(context, "graph");
   BitsetGraph graph = consistency_graph(consistency_arrays(correspondences, scale), {scale, scale},
-                                        context.options().num_threads);
+                                        context.options().num_threads, context.deadline());
   filter.apply(graph, {scale, scale}, context.options().num_threads);
   const auto clique = context.max_clique(graph, 0, kUnlimited);
   const auto size = static_cast<Index>(clique.vertices.size());

@@ -23,6 +23,9 @@ constexpr Index kMaxCandidates = 256;
 constexpr double kExplained = 3;
 /// A clique with less than this part of the best evidence is no rival.
 constexpr double kLeastPart = 0.5;
+/// So many correspondences have their graph in milliseconds: it is built in any case, so that there
+/// is a pose to offer.
+constexpr Index kQuickGraph = 4096;
 /// Starts whose bound is computed, a start that may be taken.
 constexpr Index kMaxBounded = 8;
 /// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
@@ -185,7 +188,10 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
   return build_range_graph(search, scales, [&] {
-    return consistency_graph(search.arrays(), scales, search.context().options().num_threads);
+    const SolveContext& context = search.context();
+    const bool is_quick = search.arrays().size() <= kQuickGraph;
+    return consistency_graph(search.arrays(), scales, context.options().num_threads,
+                             is_quick ? Deadline::never() : context.deadline());
   });
 }
 

@@ -1,6 +1,7 @@
 #include "registration/solve_context.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -16,12 +17,12 @@ std::uint64_t max_work(const BitsetGraph& graph) {
                       static_cast<std::uint64_t>(graph.words_per_row());
 }
 
-/// Bytes that a clique search may take for copies of parts of the graph: a quarter of the graph, as
-/// large parts can hardly be searched, within what the budget leaves.
-std::size_t memory_for_copies(const BitsetGraph& graph, std::size_t budget) {
-  constexpr std::size_t kLeast = std::size_t{1} << 26;
+/// Bytes that the graph leaves of the budget to copies of parts of it: half of the rest, at most
+/// half as many as it takes itself and some more.
+std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
+  constexpr std::size_t kSome = std::size_t{1} << 26;
   const std::size_t bytes = BitsetGraph::bytes_required(graph.num_vertices());
-  return std::min(budget - std::min(budget, bytes), std::max(kLeast, bytes / 4));
+  return std::min((budget - std::min(budget, bytes)) / 2, bytes / 2 + kSome);
 }
 
 }  // namespace
@@ -53,11 +54,14 @@ void SolveContext::limit(const std::string& sentence) {
 
 SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index must_exceed,
                                               std::uint64_t max_nodes) {
+  // the graph itself may have been cut short, so that its bounds say nothing
+  if (stopped()) return {{}, static_cast<double>(graph.num_vertices()), false};
   CliqueOptions clique_options;
-  clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
+  clique_options.time_limit = deadline_.remaining();
   clique_options.max_nodes = max_nodes;
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
+  clique_options.max_memory = memory_left(graph, options_.budget.memory);
   CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
                                               : gmcr::max_clique(graph, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;
@@ -69,11 +73,14 @@ SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index mu
 SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
                                                      std::span<const double> weights,
                                                      double must_exceed, std::uint64_t max_nodes) {
+  if (stopped()) {
+    return {{}, std::accumulate(weights.begin(), weights.end(), 0.0) * (1 + 1e-9), false};
+  }
   WeightedCliqueOptions clique_options;
-  clique_options.time_limit = stopped() ? 0 : deadline_.remaining();
+  clique_options.time_limit = deadline_.remaining();
   clique_options.max_nodes = max_nodes;
   clique_options.max_work = max_work(graph);
-  clique_options.max_memory = memory_for_copies(graph, options_.budget.memory);
+  clique_options.max_memory = memory_left(graph, options_.budget.memory);
   clique_options.must_exceed = must_exceed;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;

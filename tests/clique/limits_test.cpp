@@ -219,6 +219,19 @@ TEST(CliqueLimits, AWrongInitialCliqueIsRejected) {
   }
 }
 
+TEST(CliqueLimits, NoMemoryForCopiesTakesNothingFromTheAnswer) {
+  for (const double density : {0.1, 0.6, 0.97}) {
+    const BitsetGraph graph = test::random_graph(150, density, 8);
+    const CliqueResult copied = max_clique(graph);
+    CliqueOptions options;
+    options.max_memory = 0;
+    const CliqueResult in_place = max_clique(graph, options);
+    EXPECT_TRUE(in_place.proven_optimal);
+    EXPECT_EQ(in_place.vertices.size(), copied.vertices.size());
+    EXPECT_EQ(in_place.upper_bound, copied.upper_bound);
+  }
+}
+
 TEST(CliqueLimits, OptionsOutOfRangeAreRejectedByName) {
   const auto message_of = [](const CliqueOptions& options) -> std::string {
     try {

@@ -46,6 +46,28 @@ TEST(WeightedCliqueLimits, EveryNodeBudgetLeavesAValidBound) {
   }
 }
 
+TEST(WeightedCliqueLimits, WorkAndMemoryThatDoNotSufficeLeaveAValidBound) {
+  const BitsetGraph graph = test::random_graph(300, 0.6, 4);
+  const std::vector<int> whole = test::whole_weights(300, 12, 4);
+  const std::vector<double> weights(whole.begin(), whole.end());
+  const double heaviest = max_weight_clique(graph, weights).weight;
+  WeightedCliqueOptions no_memory;
+  no_memory.max_memory = 1000;
+  const WeightedCliqueResult bounded = max_weight_clique(graph, weights, no_memory);
+  expect_valid(graph, bounded, heaviest);
+  EXPECT_FALSE(bounded.proven_optimal);
+  EXPECT_EQ(bounded.nodes, 0u);
+  bool ended_early = false;
+  for (std::uint64_t work = 0; work < (1 << 22); work += 1 << 18) {
+    WeightedCliqueOptions options;
+    options.max_work = work;
+    const WeightedCliqueResult result = max_weight_clique(graph, weights, options);
+    expect_valid(graph, result, heaviest);
+    ended_early = ended_early || !result.proven_optimal;
+  }
+  EXPECT_TRUE(ended_early) << "the work must have been able to bind";
+}
+
 TEST(WeightedCliqueLimits, EveryNodeBudgetOfTheInnerSearchLeavesAValidBound) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const BitsetGraph graph = test::random_graph(16, 0.3 + 0.015 * static_cast<double>(seed), seed);

@@ -77,5 +77,12 @@ TEST(ConsistencyGraph, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(ConsistencyGraph, LacksEdgesWhereItsTimeIsUp) {
+  testing::RandomGeometry random(6);
+  const auto arrays = consistency_arrays(random_correspondences(random, 700), 1);
+  EXPECT_GT(consistency_graph(arrays, {1, 1}, 2).num_edges(), 0);
+  EXPECT_EQ(consistency_graph(arrays, {1, 1}, 2, Deadline(0)).num_edges(), 0);
+}
+
 }  // namespace
 }  // namespace gmcr

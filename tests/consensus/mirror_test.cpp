@@ -48,15 +48,16 @@ TEST(Mirror, OfBlocksIsTheGraphThatTheyAreOf) {
     const BitsetGraph whole = random_graph(static_cast<std::uint64_t>(count) + 1, count);
     for (const int threads : {1, 3}) {
       BitsetGraph graph(count);
-      write_symmetric_blocks(graph, threads, [&](Index row_block, Index column_block) {
-        EXPECT_LE(row_block, column_block);
-        kernels::BitBlock bits{};
-        for (Index r = 0; r < 64 && 64 * row_block + r < count; ++r) {
-          bits[static_cast<std::size_t>(r)] =
-              whole.row(64 * row_block + r)[static_cast<std::size_t>(column_block)];
-        }
-        return bits;
-      });
+      write_symmetric_blocks(
+          graph, threads, Deadline::never(), [&](Index row_block, Index column_block) {
+            EXPECT_LE(row_block, column_block);
+            kernels::BitBlock bits{};
+            for (Index r = 0; r < 64 && 64 * row_block + r < count; ++r) {
+              bits[static_cast<std::size_t>(r)] =
+                  whole.row(64 * row_block + r)[static_cast<std::size_t>(column_block)];
+            }
+            return bits;
+          });
       expect_equal(graph, whole);
     }
   }

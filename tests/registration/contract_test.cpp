@@ -171,6 +171,16 @@ TEST(RegisterCorrespondences, OfTheShortestTimeStillOffersAPose) {
   EXPECT_FALSE(result.certificate.certified);
 }
 
+TEST(RegisterCorrespondences, ATimeThatEndsWhileTheGraphIsBuiltLeavesTheTrivialBound) {
+  const auto problem = random_problem(19, 3000, 3000);
+  Options options = problem.options();
+  options.budget.time = 1e-4;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_FALSE(result.diagnostics.limits_hit.empty());
+  EXPECT_FALSE(result.certificate.certified);
+  EXPECT_EQ(result.certificate.upper, 6000);
+}
+
 TEST(RegisterCorrespondences, DistinctEvidenceIsNotFooledByACluster) {
   // 3 wrong matches and a cluster of 12 around a fourth share a wrong pose, against 10 true ones
   auto problem = random_problem(7, 10, 15);
