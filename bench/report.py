@@ -2,9 +2,10 @@
 """Turns the records of the benchmarks (*.jsonl) into Markdown tables (*.md) and figures (*.png)."""
 
 import argparse
+import json
 from pathlib import Path
 
-from reports import clique, clouds, correspondences, paper_synthetic, scaling
+from reports import clique, clouds, correspondences, micro, paper_synthetic, scaling
 from reports.records import read_records
 
 REPORTS = {
@@ -40,6 +41,10 @@ def main():
             figure = folder / f"{name}.png"
             FIGURES[name](records, figure)
             print(figure)
+    if (folder / "micro.json").exists():
+        path = folder / "micro.md"
+        path.write_text(micro.report(json.loads((folder / "micro.json").read_text())))
+        print(path)
 
 
 if __name__ == "__main__":

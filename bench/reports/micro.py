@@ -90,3 +90,29 @@ def table(rows):
             for row in rows
         ],
     )
+
+
+def report(run):
+    """Kernels by instruction set, in nanoseconds a pair (or word, or point), and stages."""
+    kernels, stages = {}, {}
+    for name, times in samples(run, "real_time").items():
+        first, _, last = name.rpartition("/")
+        if name.startswith(("stage/", "solve/")):
+            stages[name] = statistics.median(times)
+        else:
+            kernels.setdefault(first, {})[last] = 1e9 * per_pair(run, name)
+    isas = list(dict.fromkeys(isa for times in kernels.values() for isa in times))
+    cells = [[name, *(f"{times[isa]:.3g}" if isa in times else "-" for isa in isas)] for name, times in kernels.items()]
+    text = "# Kernels and stages\n\nNanoseconds of one thread a pair (a point, a word of bits), by instruction set.\n\n"
+    text += markdown_table(["kernel", *isas], cells)
+    text += "\nStages and whole solves, all cores.\n\n"
+    return text + markdown_table(["stage / N", "time"], [[name, time_text(seconds)] for name, seconds in stages.items()])
+
+
+def per_pair(run, name):
+    """Seconds a pair, median of the repetitions."""
+    return statistics.median(
+        entry["time/pair"]
+        for entry in run["benchmarks"]
+        if entry.get("run_name", entry["name"]) == name and entry.get("run_type", "iteration") == "iteration"
+    )
