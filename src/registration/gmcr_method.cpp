@@ -10,7 +10,7 @@
 namespace gmcr {
 namespace {
 
-constexpr Index kMaxStarts = 32;
+constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
 constexpr std::uint64_t kMaxWeightedNodes = 300;
 

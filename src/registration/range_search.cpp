@@ -31,7 +31,7 @@ constexpr Index kMaxBounded = 8;
 /// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
 constexpr double kNearby = 2;
 constexpr Index kMaxNearby = 512;
-constexpr Index kMaxStartsNearby = 8;
+constexpr Index kMaxStartsNearby = 16;
 constexpr std::uint64_t kMaxNodesNearby = 200;
 
 /// Removes the edges of a vertex.
