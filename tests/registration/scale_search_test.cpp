@@ -11,6 +11,22 @@
 namespace gmcr {
 namespace {
 
+SyntheticProblem problem_of_300(double outlier_rate, std::uint64_t seed) {
+  SyntheticOptions synthetic;
+  synthetic.num_correspondences = 300;
+  synthetic.outlier_rate = outlier_rate;
+  synthetic.scale_range = {2.5, 2.5};
+  synthetic.seed = seed;
+  return make_synthetic(synthetic);
+}
+
+Options options_with_unknown_scale(const SyntheticProblem& problem) {
+  Options options;
+  options.noise_bound = problem.noise_bound;
+  options.scale_mode = ScaleMode::Estimated;
+  return options;
+}
+
 TEST(DefaultScaleRange, IsCentredOnTheRatioOfTheSizes) {
   testing::RandomGeometry random(1);
   const Points source = random.in_cube(50);
@@ -31,15 +47,8 @@ TEST(DefaultScaleRange, OfCoincidentPointsIsStillARange) {
 TEST(ScaleSearch, FindsWhatNoVoteOverPairsCanSee) {
   // 10 inliers of 300: their 45 pairs drown among thousands that agree by chance at any scale
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
-    SyntheticOptions synthetic;
-    synthetic.num_correspondences = 300;
-    synthetic.outlier_rate = 0.96;
-    synthetic.scale_range = {2.5, 2.5};
-    synthetic.seed = seed;
-    const SyntheticProblem problem = make_synthetic(synthetic);
-    Options options;
-    options.noise_bound = problem.noise_bound;
-    options.scale_mode = ScaleMode::Estimated;
+    const SyntheticProblem problem = problem_of_300(0.96, seed);
+    const Options options = options_with_unknown_scale(problem);
     const Result result = register_correspondences(problem.source, problem.target, options);
     EXPECT_EQ(result.status, Status::Ok);
     EXPECT_LT(
@@ -61,15 +70,8 @@ TEST(ScaleSearch, ClosesMostBinsByTheirVotes) {
 TEST(ScaleSearch, HalvesNoRangeWhoseLargestCliqueAgreesAtOneScale) {
   int num_open = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    SyntheticOptions synthetic;
-    synthetic.num_correspondences = 300;
-    synthetic.outlier_rate = 0.5;
-    synthetic.scale_range = {2.5, 2.5};
-    synthetic.seed = seed;
-    const SyntheticProblem problem = make_synthetic(synthetic);
-    Options options;
-    options.noise_bound = problem.noise_bound;
-    options.scale_mode = ScaleMode::Estimated;
+    const SyntheticProblem problem = problem_of_300(0.5, seed);
+    Options options = options_with_unknown_scale(problem);
     options.evidence = Evidence::Count;
     const Result result = register_correspondences(problem.source, problem.target, options);
     num_open += !result.certificate.certified;
