@@ -62,13 +62,14 @@ struct WeightedCliqueOptions {
   std::uint64_t max_nodes =
       std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
   /// Word operations, about, of the search and of what prepares it; deterministic. 2^30 take about
-  /// a second.
+  /// a second. A search whose first colouring alone may take more than is left is not begun.
   std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
   /// Bytes for copies of parts of the graph; what needs more is not searched, only bounded.
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();
   /// Report only a clique that weighs more than this, >= 0; 0 reports any. As in `CliqueOptions`,
   /// a search that proves that there is none may return none or a lighter one.
   double must_exceed = 0;
+  int num_threads = 0;  ///< 0 ... 1024; 0 uses every core. The result is the same for any number.
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;

@@ -11,11 +11,11 @@ constexpr Index kMinDroppedShare = 32;  // a pass goes on to the next if it drop
 // Words from which on starting threads takes less time than reading them.
 constexpr Index kMinWordsForThreads = Index{1} << 19;
 
+}  // namespace
+
 int threads_for(RowsView graph, int num_threads) {
   return graph.num_vertices * graph.words_per_row < kMinWordsForThreads ? 1 : num_threads;
 }
-
-}  // namespace
 
 std::vector<Index> degrees_of(RowsView graph, int num_threads) {
   std::vector<Index> degree(graph.num_vertices);

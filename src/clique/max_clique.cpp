@@ -1,4 +1,3 @@
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -11,7 +10,6 @@ namespace gmcr {
 namespace {
 
 constexpr Index kNumFirstStarts = 4;
-constexpr int kMaxThreads = 1024;
 
 /// The initial clique, ascending and checked against `graph`; any vertex where it is empty.
 std::vector<Index> checked_clique(const BitsetGraph& graph, std::vector<Index> clique) {
@@ -123,20 +121,6 @@ class Solver {
 };
 
 }  // namespace
-
-void CliqueOptions::validate() const {
-  if (std::isnan(time_limit) || time_limit < 0) {
-    throw std::invalid_argument("time_limit: " + std::to_string(time_limit) +
-                                " is no number of seconds >= 0");
-  }
-  if (must_exceed < 0) {
-    throw std::invalid_argument("must_exceed: " + std::to_string(must_exceed) + " is negative");
-  }
-  if (num_threads < 0 || num_threads > kMaxThreads) {
-    throw std::invalid_argument("num_threads: " + std::to_string(num_threads) +
-                                " is out of the range from 0 to " + std::to_string(kMaxThreads));
-  }
-}
 
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options) {
   options.validate();

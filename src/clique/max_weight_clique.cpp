@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +22,7 @@ class Solver {
         weights_(weights),
         incumbent_(weights, options.must_exceed),
         budget_(options.time_limit, options.max_nodes, options.max_work),
+        num_threads_(options.num_threads),
         max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}
 
@@ -54,7 +54,7 @@ class Solver {
   }
 
   void peel_graph() {
-    peeling_.reset(graph_, weights_.units(), incumbent_.to_beat(), budget_);
+    peeling_.reset(graph_, weights_.units(), incumbent_.to_beat(), budget_, num_threads_);
     peel();
   }
 
@@ -90,9 +90,12 @@ class Solver {
     }
   }
 
-  /// Branch and bound on what is left, if it may be copied.
+  /// Branch and bound on what is left, if it may be copied and its first colouring can be paid:
+  /// else the copy would be all that comes of it.
   void search_survivors() {
-    if (PackedGraph::bytes_required(peeling_.num_alive()) > max_memory_) return;
+    const Index count = peeling_.num_alive();
+    if (PackedGraph::bytes_required(count) > max_memory_) return;
+    if (WeightedColoring::most_work(count, words_for_bits(count)) > budget_.work_left()) return;
     std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);
@@ -107,6 +110,7 @@ class Solver {
   const FixedPointWeights& weights_;
   WeightedIncumbent incumbent_;
   SearchBudget budget_;
+  int num_threads_;
   std::size_t max_memory_;
   std::int64_t upper_bound_;
   WeightedPeeling peeling_;
@@ -126,6 +130,8 @@ WeightedCliqueResult solve_equal_weights(const BitsetGraph& graph, std::span<con
   size_options.time_limit = options.time_limit;
   size_options.max_nodes = options.max_nodes;
   size_options.must_exceed = static_cast<Index>(to_beat / unit);
+  size_options.num_threads = options.num_threads;
+  size_options.max_memory = options.max_memory;
   CliqueResult largest = max_clique(graph, size_options);
   WeightedCliqueResult result;
   result.vertices = std::move(largest.vertices);
@@ -138,17 +144,6 @@ WeightedCliqueResult solve_equal_weights(const BitsetGraph& graph, std::span<con
 }
 
 }  // namespace
-
-void WeightedCliqueOptions::validate() const {
-  if (std::isnan(time_limit) || time_limit < 0) {
-    throw std::invalid_argument("time_limit: " + std::to_string(time_limit) +
-                                " is no number of seconds >= 0");
-  }
-  if (std::isnan(must_exceed) || must_exceed < 0) {
-    throw std::invalid_argument("must_exceed: " + std::to_string(must_exceed) +
-                                " is no weight >= 0");
-  }
-}
 
 WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
                                        const WeightedCliqueOptions& options) {

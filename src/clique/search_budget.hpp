@@ -50,7 +50,7 @@ class SearchBudget {
   SearchBudget part(std::uint64_t max_nodes) const {
     SearchBudget part(*this);
     part.max_nodes_ = max_nodes;
-    part.max_work_ = max_work_ - std::min(work_, max_work_);
+    part.max_work_ = work_left();
     part.nodes_ = part.work_ = 0;
     part.words_since_poll_ = 0;
     return part;
@@ -65,6 +65,7 @@ class SearchBudget {
   }
 
   std::uint64_t work() const { return work_; }  ///< word operations so far, about
+  std::uint64_t work_left() const { return max_work_ - std::min(work_, max_work_); }
   std::uint64_t nodes_left() const { return max_nodes_ - nodes_; }
   bool spent() const { return spent_; }
   std::uint64_t nodes() const { return nodes_; }

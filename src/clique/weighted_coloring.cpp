@@ -4,13 +4,6 @@
 #include <limits>
 
 namespace gmcr {
-namespace {
-
-// Colourings that split may cost as much as this many that do not; then they stop splitting.
-constexpr Index kMaxSplitEffort = 64;
-
-}  // namespace
-
 void WeightedColoring::reset(RowsView graph, std::span<const std::int64_t> units,
                              SearchBudget& budget) {
   graph_ = graph;

@@ -29,6 +29,11 @@ enum class Splitting {
 /// the classes that its vertices are spread over cost.
 class WeightedColoring {
  public:
+  /// Word operations that a colouring of so many vertices may take.
+  static std::uint64_t most_work(Index num_vertices, Index words_per_row) {
+    return static_cast<std::uint64_t>(kMaxSplitEffort * num_vertices * words_per_row);
+  }
+
   /// Works on `graph` from now on.
   /// @param units   one weight a vertex, > 0 where it is ever a candidate; outlives this use.
   /// @param budget  outlives this use.
@@ -53,6 +58,9 @@ class WeightedColoring {
   std::int64_t bound(const Word* candidates);
 
  private:
+  // Colourings that split may cost as much as this many that do not; then they stop splitting.
+  static constexpr Index kMaxSplitEffort = 64;
+
   void start(const Word* candidates, Splitting splitting);
   void take_class();
 

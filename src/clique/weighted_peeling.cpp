@@ -3,19 +3,24 @@
 #include <algorithm>
 #include <numeric>
 
+#include "clique/core_filter.hpp"
 #include "kernels/bit_row.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr {
 namespace {
 
 // A pass over the graph that drops less than one vertex of so many is the last.
 constexpr Index kLeastShareToRepeat = 16;
+// Words of vertices whose neighbourhoods are summed at a time.
+constexpr Index kWordsPerRound = 64;
 
 }  // namespace
 
 void WeightedPeeling::reset(RowsView graph, std::span<const std::int64_t> units,
-                            std::int64_t to_beat, SearchBudget& budget) {
+                            std::int64_t to_beat, SearchBudget& budget, int num_threads) {
   graph_ = graph;
+  num_threads_ = threads_for(graph, num_threads);
   units_ = units;
   budget_ = &budget;
   num_alive_ = 0;
@@ -53,12 +58,17 @@ void WeightedPeeling::sum_neighborhoods() {
   const Index n = graph_.num_vertices, words = graph_.words_per_row;
   const std::int64_t total = std::accumulate(units_.begin(), units_.end(), std::int64_t{0});
   neighborhood_.assign(n, total);
-  for_each_bit(alive_.data(), words, [&](Index v) {
-    if (budget_->spent()) return;
-    neighborhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
-                                                                 words, units_.data(), n);
-    budget_->spend_work(words);
-  });
+  for (Index first = 0; first < words; first += kWordsPerRound) {
+    const Index last = std::min(words, first + kWordsPerRound);
+    if (!budget_->spend_work(count_bits(alive_.data() + first, last - first) * words)) return;
+    parallel_for(last - first, 1, num_threads_, [&](Index begin, Index end) {
+      for_each_bit(alive_.data() + first + begin, end - begin, [&](Index bit) {
+        const Index v = (first + begin) * kBitsPerWord + bit;
+        neighborhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
+                                                                     words, units_.data(), n);
+      });
+    });
+  }
 }
 
 void WeightedPeeling::peel(std::int64_t to_beat) {

@@ -21,7 +21,7 @@ class WeightedPeeling {
   /// @param budget  outlives this use. Once it is spent, neighbourhoods are only bounded.
   /// Cost O(n^2 / 64) and the edges of the vertices left.
   void reset(RowsView graph, std::span<const std::int64_t> units, std::int64_t to_beat,
-             SearchBudget& budget);
+             SearchBudget& budget, int num_threads = 1);
 
   /// Drops vertices until every neighbourhood left weighs more than `to_beat`, or the budget ends.
   /// No clique that weighs more loses a vertex. Cost O(e + k n / 64) for k vertices dropped, with e
@@ -46,6 +46,7 @@ class WeightedPeeling {
   RowsView graph_;
   std::span<const std::int64_t> units_;
   SearchBudget* budget_ = nullptr;
+  int num_threads_ = 1;
   Index num_alive_ = 0;
   std::vector<Word> alive_;
   std::vector<std::int64_t> neighborhood_;

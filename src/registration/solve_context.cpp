@@ -82,6 +82,7 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
   clique_options.max_work = max_work(graph);
   clique_options.max_memory = memory_left(graph, options_.budget.memory);
   clique_options.must_exceed = must_exceed;
+  clique_options.num_threads = options_.num_threads;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;
   return {found.weight > must_exceed ? std::move(found.vertices) : std::vector<Index>(),

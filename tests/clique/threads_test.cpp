@@ -8,6 +8,7 @@
 #include "clique/core_filter.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
+#include "clique/weights.hpp"
 #include "gmcr/clique.hpp"
 
 namespace gmcr {
@@ -60,16 +61,43 @@ TEST(CliqueThreads, LimitsHoldWithMany) {
   }
 }
 
-TEST(CliqueThreads, NumbersOutOfRangeAreRejectedByName) {
+TEST(CliqueThreads, AnyNumberGivesTheSameHeaviestCliqueAndNodes) {
+  // large enough that the sums over neighbourhoods are shared among threads
+  const BitsetGraph graph = test::random_graph(6000, 0.05, 8);
+  const std::vector<double> weights = test::cluster_weights(6000, 9);
+  for (const std::uint64_t max_work : {std::uint64_t{1} << 18, std::uint64_t{1} << 25}) {
+    WeightedCliqueOptions options;
+    options.max_work = max_work;
+    options.num_threads = 1;
+    const WeightedCliqueResult one = max_weight_clique(graph, weights, options);
+    for (const int num_threads : {0, 2, 5}) {
+      options.num_threads = num_threads;
+      const WeightedCliqueResult several = max_weight_clique(graph, weights, options);
+      EXPECT_EQ(one.vertices, several.vertices) << num_threads;
+      EXPECT_EQ(one.upper_bound, several.upper_bound) << num_threads;
+      EXPECT_EQ(one.nodes, several.nodes) << num_threads;
+    }
+  }
+}
+
+template <class Options>
+void expect_wrong_numbers_of_threads_are_named() {
   for (const int wrong : {-1, 1025}) {
+    Options options;
+    options.num_threads = wrong;
     try {
-      solve(BitsetGraph(2), {}, wrong);
+      options.validate();
       FAIL() << wrong;
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("num_threads: " + std::to_string(wrong)),
                 std::string::npos);
     }
   }
+}
+
+TEST(CliqueThreads, NumbersOutOfRangeAreRejectedByName) {
+  expect_wrong_numbers_of_threads_are_named<CliqueOptions>();
+  expect_wrong_numbers_of_threads_are_named<WeightedCliqueOptions>();
 }
 
 TEST(MaxCliqueOfALargeGraph, FindsAPlantedCliqueAmongManySparseVertices) {
