@@ -19,7 +19,8 @@ def report(records):
         summary.append([refine, name, count_cell(group, "success"), strict, len(trusted), wrong_trusted])
     header = ["refine", "set", "right", "right by translation", "trusted", "trusted but wrong"]
     text += table(header, summary) + "\n"
-    rows = [cloud_row(record) for record in records]
+    refined = [record for record in records if record["refine"] != "none"]
+    rows = [cloud_row(record) for record in refined or records]
     header = [
         "pair", "refine", "points", "voxel", "matches", "inliers", "pose", "rotation deg", "translation (% of extent)",
         "point error %", "fitness", "verdict", "time ms", "wall ms",

@@ -7,12 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "gmcr/clique.hpp"
 #include "kernels/bit_block.hpp"
+#include "kernels/bit_columns.hpp"
 #include "kernels/bit_row.hpp"
+#include "kernels/branch_choice.hpp"
 #include "kernels/consistency_row.hpp"
 #include "kernels/consistency_tiles.hpp"
 #include "kernels/residuals.hpp"
 #include "kernels/rotation_row.hpp"
+#include "kernels/scale_row.hpp"
 
 namespace {
 
@@ -116,8 +120,54 @@ void digest_rotation(Random& random, Index count) {
   digest.print("rotation_row");
 }
 
+/// Bins whose edges need no logarithm: the last digit of that is a library's own.
+void digest_scales(const kernels::CorrespondenceArrays& arrays) {
+  using kernels::ScaleCells;
+  const auto cell_of = [](double scale) {
+    return std::bit_cast<std::uint64_t>(scale) >> ScaleCells::kShift;
+  };
+  std::vector<std::uint64_t> entries;
+  ScaleCells cells{0.25, 4, cell_of(0.25)};
+  for (std::uint64_t cell = cells.first, below = 0; cell <= cell_of(cells.max); ++cell) {
+    const bool has_edge = cell % 3 == 0;
+    entries.push_back((below << ScaleCells::kShift) + (has_edge ? ScaleCells::kRest / 2 : 0));
+    below += has_edge;
+  }
+  cells.entries = entries.data();
+  Digest digest;
+  std::vector<kernels::BinSpan> spans(static_cast<std::size_t>(arrays.size()));
+  for (Index i = 0; i < arrays.size(); ++i) {
+    kernels::scale_row(arrays, cells, i, i + 1, spans);
+    for (Index j = i + 1; j < arrays.size(); ++j) {
+      digest.add(std::uint64_t{spans[static_cast<std::size_t>(j)].packed});
+    }
+  }
+  digest.print("scale_row");
+}
+
+/// A search makes hundreds of choices, in rows of each width that has loops of its own.
+void digest_branches(Random& random) {
+  for (const Index num_vertices : {120, 400, 700, 1300}) {
+    gmcr::BitsetGraph graph(num_vertices);
+    for (Index u = 0; u < num_vertices; ++u) {
+      for (Index v = 0; v < u; ++v) {
+        if (random.uniform(0, 1) < 0.6) graph.add_edge(u, v);
+      }
+    }
+    gmcr::CliqueOptions options;
+    options.max_nodes = 300;
+    options.num_threads = 1;
+    const gmcr::CliqueResult result = max_clique(graph, options);
+    Digest digest;
+    for (const Index v : result.vertices) digest.add(static_cast<std::uint64_t>(v));
+    digest.add(static_cast<std::uint64_t>(result.upper_bound));
+    digest.add(result.nodes);
+    digest.print(("branch_choice " + std::to_string(num_vertices)).c_str());
+  }
+}
+
 void digest_bits(Random& random) {
-  Digest rows, blocks;
+  Digest rows, blocks, chosen;
   for (Index words = 0; words < 70; ++words) {
     std::vector<std::uint64_t> a(static_cast<std::size_t>(words)), b(a);
     for (auto& word : a) word = random.word() | random.word();
@@ -128,12 +178,18 @@ void digest_bits(Random& random) {
     rows.add(static_cast<std::uint64_t>(kernels::count_common_bits(a.data(), b.data(), words)));
     rows.add(static_cast<std::uint64_t>(kernels::sum_over_common_bits(
         a.data(), b.data(), words, values.data(), static_cast<Index>(values.size()))));
+    kernels::BitColumns columns;
+    columns.reset(a.data(), words);
+    std::vector<std::uint64_t> front(static_cast<std::size_t>((columns.num_columns() + 63) / 64));
+    columns.copy(b.data(), front.data());
+    chosen.add_all(front);
     kernels::BitBlock block{};
     for (auto& word : block) word = random.word();
     kernels::transpose(block);
     blocks.add_all(block);
   }
   rows.print("bit_row");
+  chosen.print("bit_columns");
   blocks.print("bit_block");
 }
 
@@ -145,10 +201,12 @@ int main() {
   digest_consistency("one scale", arrays, 1, 1);
   digest_consistency("a range", arrays, 0.8, 1.2);
   digest_residuals(random, arrays);
+  digest_scales(arrays);
   for (double& bound : arrays.bounds) bound = random.uniform(0.001, 0.1);
   digest_consistency("many bounds", arrays, 1, 1);
   arrays.bounds.setConstant(1e-9);
   digest_consistency("tiny bounds", arrays, 1, 1);
   digest_rotation(random, 200);
   digest_bits(random);
+  digest_branches(random);
 }

@@ -1,0 +1,51 @@
+"""The page of all benchmarks: a template that holds the prose, filled in with the reports."""
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+TEMPLATE = Path(__file__).with_name("page.md")
+
+PLACE = re.compile(r"^\{\{(?P<name>\w+)(?: (?P<side>until|from) (?P<heading>.+))?\}\}$", re.MULTILINE)
+BLOCK = re.compile(r"<!-- begin (?P<name>\S+) -->\n.*?<!-- end (?P=name) -->", re.DOTALL)
+
+
+def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
+    """The page that a template and reports make.
+
+    Parameters
+    ----------
+    template
+        Markdown. A line ``{{name}}`` stands for a report; ``{{name until Heading}}`` and ``{{name from Heading}}`` for
+        what it holds before, and from, one of its headings of the second level.
+    reports
+        Markdown by name. Headings go down by one level, as the page has one title.
+    page_before
+        The page that this one replaces. What stands there between ``<!-- begin name -->`` and ``<!-- end name -->``,
+        where other programs write, is kept.
+
+    Raises
+    ------
+    ValueError
+        Where the template names a report, a heading or a block that is not there.
+    """
+    page = PLACE.sub(lambda place: _text_at(place, reports), template)
+    kept = {block["name"]: block[0] for block in BLOCK.finditer(page_before)}
+    lost = kept.keys() - {block["name"] for block in BLOCK.finditer(page)}
+    if lost:
+        raise ValueError(f"the template has no place for the blocks {sorted(lost)}")
+    page = BLOCK.sub(lambda block: kept.get(block["name"], block[0]), page)
+    return re.sub(r"\n{3,}", "\n\n", page).strip() + "\n"
+
+
+def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
+    name, side, heading = place["name"], place["side"], place["heading"]
+    if name not in reports:
+        raise ValueError(f"{place[0]}: no records of {name}")
+    text = reports[name]
+    if side:
+        start = text.find(f"\n## {heading}\n") + 1
+        if start == 0:
+            raise ValueError(f"{place[0]}: no heading {heading}")
+        text = text[:start] if side == "until" else text[start:]
+    return re.sub(r"^(#+ )", r"#\1", text, flags=re.MULTILINE).strip()
