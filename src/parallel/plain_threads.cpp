@@ -22,9 +22,11 @@ void parallel_for(Index count, Index grain, int num_threads,
   std::atomic<Index> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
+  // relaxed: the count of chunks must not order what they do
+  const auto take = [&] { return next.fetch_add(1, std::memory_order_relaxed); };
   const auto work = [&] {
     try {
-      for (Index chunk = next++; chunk < num_chunks; chunk = next++) {
+      for (Index chunk = take(); chunk < num_chunks; chunk = take()) {
         body(chunk * grain, std::min(count, (chunk + 1) * grain));
       }
     } catch (...) {
