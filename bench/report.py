@@ -24,7 +24,10 @@ FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.d
 
 
 def write_reports(folder, before):
-    """Writes a report beside each file of records. Returns the reports by name and the paths of the figures."""
+    """Writes a report beside each file of records.
+
+    Returns the reports by name and the paths of the figures.
+    """
     reports, figures, all_records = {}, [], []
     for name, report in REPORTS.items():
         records = read_records(folder / f"{name}.jsonl")
@@ -32,7 +35,9 @@ def write_reports(folder, before):
             continue
         all_records += records
         if name == "scaling":
-            reports[name] = report(records, read_records(before / "scaling.jsonl") if before else [])
+            reports[name] = report(
+                records, read_records(before / "scaling.jsonl") if before else []
+            )
         else:
             reports[name] = report(records)
         if name in FIGURES:
@@ -58,7 +63,9 @@ def write_page(path, reports, figures):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", type=Path, nargs="?", default=Path("out/bench"), help="where the records are")
+    parser.add_argument(
+        "folder", type=Path, nargs="?", default=Path("out/bench"), help="where the records are"
+    )
     parser.add_argument("--before", type=Path, help="folder of an earlier run, to compare with")
     parser.add_argument("--docs", type=Path, help="page to write from them all, docs/benchmarks.md")
     arguments = parser.parse_args()

@@ -7,11 +7,10 @@ METHODS = ["gmcr", "gmcr-1", "igraph", "igraph-largest", "cliquer"]
 
 
 def report(records):
-    limit = records[0]["time_limit"]
     text = "# Maximum clique\n\n" + hardware(records)
     text += (
         "Milliseconds, median of up to 9 runs in a process of its own, without the conversion of the graph; "
-        f"limit {limit:g} s. gmcr: all cores, gmcr-1: one thread. Bold: the fastest.\n\n"
+        "`>`: ended at its time limit. gmcr: all cores, gmcr-1: one thread. Bold: the fastest.\n\n"
     )
     for (scenario,), group in group_by(records, "scenario").items():
         text += f"## {scenario}\n\n" + scenario_table(group) + "\n"
@@ -34,6 +33,8 @@ def scenario_table(records):
 
 
 def time_cell(record, fastest):
+    if record["status"] == "time limit":
+        return f"> {milliseconds(1e3 * record['time_limit'])}"
     if "wall_ms" not in record:
         return record["status"]
     cell = milliseconds(record["wall_ms"])

@@ -6,7 +6,9 @@ from pathlib import Path
 
 TEMPLATE = Path(__file__).with_name("page.md")
 
-PLACE = re.compile(r"^\{\{(?P<name>\w+)(?: (?P<side>until|from) (?P<heading>.+))?\}\}$", re.MULTILINE)
+PLACE = re.compile(
+    r"^\{\{(?P<name>\w+)(?: (?P<side>until|from) (?P<heading>.+))?\}\}$", re.MULTILINE
+)
 BLOCK = re.compile(r"<!-- begin (?P<name>\S+) -->\n.*?<!-- end (?P=name) -->", re.DOTALL)
 
 
@@ -16,13 +18,14 @@ def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
     Parameters
     ----------
     template
-        Markdown. A line ``{{name}}`` stands for a report; ``{{name until Heading}}`` and ``{{name from Heading}}`` for
-        what it holds before, and from, one of its headings of the second level.
+        Markdown. A line ``{{name}}`` stands for a report; ``{{name until Heading}}`` and
+        ``{{name from Heading}}`` for what it holds before, and from, one of its headings of the
+        second level.
     reports
         Markdown by name. Headings go down by one level, as the page has one title.
     page_before
-        The page that this one replaces. What stands there between ``<!-- begin name -->`` and ``<!-- end name -->``,
-        where other programs write, is kept.
+        The page that this one replaces. What stands there between ``<!-- begin name -->`` and
+        ``<!-- end name -->``, where other programs write, is kept.
 
     Raises
     ------

@@ -17,13 +17,16 @@ class Page(unittest.TestCase):
     def test_reports_fill_their_places_a_level_down(self) -> None:
         page = compose("# Page\n\n{{speed}}\n\nEnd.", {"speed": REPORT}, "")
         self.assertEqual(
-            page, "# Page\n\n## Speed\n\nFirst.\n\n### Small\n\n| # |\n\n### Large\n\nLast.\n\nEnd.\n"
+            page,
+            "# Page\n\n## Speed\n\nFirst.\n\n### Small\n\n| # |\n\n### Large\n\nLast.\n\nEnd.\n",
         )
 
     def test_prose_can_stand_between_two_sections_of_a_report(self) -> None:
         template = "{{speed until Large}}\n\nBetween.\n\n{{speed from Large}}"
         page = compose(template, {"speed": REPORT}, "")
-        self.assertEqual(page.replace("Between.\n\n", ""), compose("{{speed}}", {"speed": REPORT}, ""))
+        self.assertEqual(
+            page.replace("Between.\n\n", ""), compose("{{speed}}", {"speed": REPORT}, "")
+        )
         self.assertLess(page.index("### Small"), page.index("Between."))
         self.assertLess(page.index("Between."), page.index("### Large"))
 
@@ -45,7 +48,12 @@ class Page(unittest.TestCase):
 
     def test_the_page_of_the_project_is_its_template_filled_in(self) -> None:
         page = (ROOT / "docs" / "benchmarks.md").read_text()
-        prose = re.sub(r"<!-- begin .*<!-- end \S+ -->", "", PLACE.sub("", TEMPLATE.read_text()), flags=re.DOTALL)
+        prose = re.sub(
+            r"<!-- begin .*<!-- end \S+ -->",
+            "",
+            PLACE.sub("", TEMPLATE.read_text()),
+            flags=re.DOTALL,
+        )
         for paragraph in filter(None, map(str.strip, prose.split("\n\n"))):
             self.assertIn(paragraph, page)
 

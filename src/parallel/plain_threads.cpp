@@ -1,0 +1,46 @@
+// parallel_for by threads of the standard library, for a build with ThreadSanitizer: that sees
+// every access of ours, but not how a library without its instrumentation orders them.
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "parallel/parallel_for.hpp"
+
+namespace gmcr {
+
+int resolve_num_threads(int num_threads) {
+  if (num_threads > 0) return num_threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void parallel_for(Index count, Index grain, int num_threads,
+                  const std::function<void(Index begin, Index end)>& body) {
+  const Index num_chunks = (std::max<Index>(count, 0) + grain - 1) / grain;
+  std::atomic<Index> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  // relaxed: the count of chunks must not order what they do
+  const auto take = [&] { return next.fetch_add(1, std::memory_order_relaxed); };
+  const auto work = [&] {
+    try {
+      for (Index chunk = take(); chunk < num_chunks; chunk = take()) {
+        body(chunk * grain, std::min(count, (chunk + 1) * grain));
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      failure = std::current_exception();
+    }
+  };
+  const Index num_others = std::min<Index>(resolve_num_threads(num_threads), num_chunks) - 1;
+  {
+    std::vector<std::jthread> others;
+    for (Index i = 0; i < num_others; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace gmcr
