@@ -113,6 +113,6 @@ def test_fewer_than_three_are_a_status(count):
 
 def test_three_exact_correspondences_are_enough():
     source = np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 0]])
-    result = gmcr.register_correspondences(source, source + [1, 2, 3], noise_bound=0.01)
+    result = gmcr.register_correspondences(source, source + np.array([1, 2, 3]), noise_bound=0.01)
     assert result.inliers.tolist() == [0, 1, 2]
     assert np.allclose(result.translation, [1, 2, 3])

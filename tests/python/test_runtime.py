@@ -14,13 +14,13 @@ import numpy as np
 
 LONG_SOLVE = """
 import gmcr
-problem = gmcr.make_synthetic(num_correspondences=2000, outlier_rate=0.99, seed=1,
-                              noise_bound=0.2, noise_extent=0.2)
+problem = gmcr.make_synthetic(num_correspondences=6000, outlier_rate=0.995, seed=1,
+                              scale_range=(1, 3))
 print("ready", flush=True)
 try:
     while True:
-        gmcr.register_correspondences(problem.source, problem.target, noise_bound=0.2,
-                                      certify=True, time_limit=60)
+        gmcr.register_correspondences(problem.source, problem.target, noise_mode="estimated",
+                                      scale_mode="estimated", time_limit=60)
 except KeyboardInterrupt:
     print("interrupted", flush=True)
 """
