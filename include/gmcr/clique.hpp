@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "gmcr/bitset_graph.hpp"
@@ -24,6 +25,7 @@ struct CliqueOptions {
   /// Bytes for copies of large parts of the graph; where they do not suffice, it is searched in
   /// place, which takes longer and may bound less tightly.
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();
+  std::stop_token stop;  ///< a request, from any thread, ends the search as if its time were up
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;
@@ -69,7 +71,8 @@ struct WeightedCliqueOptions {
   /// Report only a clique that weighs more than this, >= 0; 0 reports any. As in `CliqueOptions`,
   /// a search that proves that there is none may return none or a lighter one.
   double must_exceed = 0;
-  int num_threads = 0;  ///< 0 ... 1024; 0 uses every core. The result is the same for any number.
+  int num_threads = 0;   ///< 0 ... 1024; 0 uses every core. The result is the same for any number.
+  std::stop_token stop;  ///< as in `CliqueOptions`
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;

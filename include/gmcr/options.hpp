@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "gmcr/clique.hpp"
@@ -91,6 +92,7 @@ struct Options {
   Budget budget;
   std::shared_ptr<const CliqueSolver> clique_solver;  ///< null: `max_clique`
   ProgressCallback progress;                          ///< null: none
+  std::stop_token stop;  ///< a request, from any thread, ends the search as if its time were up
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;

@@ -76,7 +76,7 @@ def max_clique(
     Notes
     -----
     The same vertices for any number of threads. Exponential in the worst case: give a
-    ``time_limit`` for unknown graphs. Ctrl-C takes effect when the search ends.
+    ``time_limit`` for unknown graphs. Other Python threads run meanwhile, and Ctrl-C stops it.
 
     Examples
     --------

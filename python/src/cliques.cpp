@@ -1,5 +1,6 @@
 #include "bindings.hpp"
 #include "gmcr/clique.hpp"
+#include "interruptible.hpp"
 #include "record.hpp"
 
 namespace gmcr::python {
@@ -62,6 +63,8 @@ void bind_clique_options(nb::module_& module) {
       .field("max_memory", &WeightedCliqueOptions::max_memory, "Bytes for copies of the graph.")
       .field("must_exceed", &WeightedCliqueOptions::must_exceed,
              "Report only a clique that weighs more than this; 0 reports any.")
+      .field("num_threads", &WeightedCliqueOptions::num_threads,
+             "0 ... 1024; 0 uses every core. The result is the same for any number.")
       .settable()
       .def("validate", &WeightedCliqueOptions::validate,
            "Raises ValueError naming the field and its value where one is out of range.");
@@ -106,14 +109,15 @@ void bind_cliques(nb::module_& module) {
         return graph_of(edges, num_vertices);
       });
   module.def("max_clique", [](const BitsetGraph& graph, const CliqueOptions& options) {
-    const nb::gil_scoped_release no_gil;
-    return max_clique(graph, options);
+    return interruptible(options,
+                         [&](const CliqueOptions& watched) { return max_clique(graph, watched); });
   });
   module.def("max_weight_clique", [](const BitsetGraph& graph, nb::handle weights,
                                      const WeightedCliqueOptions& options) {
     const auto values = Convert<std::vector<double>>::from_python(weights, "weights");
-    const nb::gil_scoped_release no_gil;
-    return max_weight_clique(graph, values, options);
+    return interruptible(options, [&](const WeightedCliqueOptions& watched) {
+      return max_weight_clique(graph, values, watched);
+    });
   });
 }
 

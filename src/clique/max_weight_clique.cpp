@@ -21,7 +21,7 @@ class Solver {
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
-        budget_(options.time_limit, options.max_nodes, options.max_work),
+        budget_(Deadline(options.time_limit, options.stop), options.max_nodes, options.max_work),
         num_threads_(options.num_threads),
         max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}
@@ -130,6 +130,7 @@ WeightedCliqueResult solve_equal_weights(const BitsetGraph& graph, std::span<con
   size_options.time_limit = options.time_limit;
   size_options.max_nodes = options.max_nodes;
   size_options.must_exceed = static_cast<Index>(to_beat / unit);
+  size_options.stop = options.stop;
   size_options.num_threads = options.num_threads;
   size_options.max_memory = options.max_memory;
   CliqueResult largest = max_clique(graph, size_options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "gmcr/types.hpp"
 #include "parallel/deadline.hpp"
@@ -15,8 +16,12 @@ class SearchBudget {
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
   /// @param max_work  word operations; counted in steps of about 0.1 ms.
+  SearchBudget(Deadline deadline, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
+      : deadline_(std::move(deadline)), max_nodes_(max_nodes), max_work_(max_work) {}
+
+  /// @param time_limit  seconds from now.
   SearchBudget(double time_limit, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
-      : deadline_(time_limit), max_nodes_(max_nodes), max_work_(max_work) {}
+      : SearchBudget(Deadline(time_limit), max_nodes, max_work) {}
 
   /// Takes one search node that costs about `num_words` word operations.
   /// @return false where the budget is spent; from then on always.

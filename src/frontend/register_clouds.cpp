@@ -98,7 +98,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
     throw std::invalid_argument("noise_bounds: " + std::to_string(options.noise_bounds.size()) +
                                 " values for matches that are not known yet");
   }
-  const Deadline deadline(options.budget.time);
+  const Deadline deadline(options.budget.time, options.stop);
   CloudResult best;
   std::vector<StageTime> stages;
   std::vector<std::string> limits;

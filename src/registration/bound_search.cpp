@@ -73,7 +73,7 @@ std::vector<double> measure_length_differences(const Points& source, const Point
 
 BoundSearch::BoundSearch(const PointsRef& source, const PointsRef& target, const Options& options)
     : options_(options),
-      deadline_(options.budget.time / 2),
+      deadline_(options.budget.time / 2, options.stop),
       source_(source),
       target_(target),
       source_distances_(source_),
@@ -156,6 +156,7 @@ bool BoundSearch::may_go_on() {
     const double done = static_cast<double>(trials_.size()) / num_steps_;
     cancelled_ = !options_.progress({"noise_bound", std::min(done, 1.0)});
   }
+  cancelled_ = cancelled_ || options_.stop.stop_requested();
   late_ = late_ || deadline_.expired();
   return !cancelled_ && !late_;
 }

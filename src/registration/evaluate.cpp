@@ -48,7 +48,7 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
   }
   const Correspondences input = correspondences_of(source, target, options);
   Uncertainty uncertainty = measure_uncertainty(target_from_source, input, inliers, options,
-                                                Deadline(options.budget.time));
+                                                Deadline(options.budget.time, options.stop));
   const bool determined =
       uncertainty.covariance && degeneracy_reason(source, target_from_source, inliers,
                                                   input.bounds(inliers).maxCoeff(), options.priors)

@@ -51,7 +51,7 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
                                        const Options& options, const InstanceOptions& instances) {
   validate_input(source, target, options);
   instances.validate();
-  const Deadline deadline(options.budget.time);
+  const Deadline deadline(options.budget.time, options.stop);
   std::vector<Index> left(static_cast<std::size_t>(source.cols()));
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Result> found;

@@ -71,7 +71,7 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
     Diagnostics unused;
     SolveContext(options, unused).require_memory_for_graph(source.cols());
   }
-  const Deadline deadline(options.budget.time);
+  const Deadline deadline(options.budget.time, options.stop);
   const Points distinct_source = source(Eigen::all, distinct);
   const Points distinct_target = target(Eigen::all, distinct);
   BoundSearch search(distinct_source, distinct_target, options);

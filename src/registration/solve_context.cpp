@@ -28,10 +28,10 @@ std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
 }  // namespace
 
 SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
-    : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time) {}
+    : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time, options.stop) {}
 
 bool SolveContext::stopped() {
-  if (cancelled_) {
+  if (cancelled_ || options_.stop.stop_requested()) {
     limit("the caller stopped the search");
     return true;
   }
@@ -58,6 +58,7 @@ SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index mu
   if (stopped()) return {{}, static_cast<double>(graph.num_vertices()), false};
   CliqueOptions clique_options;
   clique_options.time_limit = deadline_.remaining();
+  clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
@@ -78,6 +79,7 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
   }
   WeightedCliqueOptions clique_options;
   clique_options.time_limit = deadline_.remaining();
+  clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
   clique_options.max_work = max_work(graph);
   clique_options.max_memory = memory_left(graph, options_.budget.memory);

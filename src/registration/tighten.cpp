@@ -22,8 +22,9 @@ Deadline certify_deadline(PoseSearch& search, Measure measure) {
   if (!search.certifies()) return Deadline(0);
   // further hypotheses need some time too
   const double share = search.context().options().num_hypotheses > 1 ? 0.8 : 1;
-  const double remaining = share * search.context().deadline().remaining();
-  return Deadline(measure == Measure::Evidence ? remaining / 2 : remaining);
+  const Deadline& deadline = search.context().deadline();
+  const double remaining = share * deadline.remaining();
+  return deadline.within(measure == Measure::Evidence ? remaining / 2 : remaining);
 }
 
 double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound,
@@ -50,7 +51,7 @@ double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, dou
     return search.to_beat(measure);
   };
   const double lowest = search.to_beat(measure), gap = upper_bound - lowest;
-  const Deadline first_deadline(kFirstShare * deadline.remaining());
+  const Deadline first_deadline = deadline.within(kFirstShare * deadline.remaining());
   bool first = true;
   for (const double part : kParts) {
     const double target = std::max(search.to_beat(measure), in_units(measure, lowest + part * gap));

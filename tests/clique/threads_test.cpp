@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 #include "clique/arbitrary.hpp"
 #include "clique/core_filter.hpp"
@@ -78,6 +80,30 @@ TEST(CliqueThreads, AnyNumberGivesTheSameHeaviestCliqueAndNodes) {
       EXPECT_EQ(one.nodes, several.nodes) << num_threads;
     }
   }
+}
+
+TEST(CliqueThreads, ARequestToStopEndsHardSearchesWithValidBounds) {
+  BitsetGraph graph = test::random_graph(600, 0.9, 5);
+  const auto planted = static_cast<Index>(test::plant_clique(graph, 100, 6).size());
+  std::stop_source source;
+  std::jthread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    source.request_stop();
+  });
+  const auto start = std::chrono::steady_clock::now();
+  CliqueOptions options;
+  options.stop = source.get_token();
+  const CliqueResult largest = max_clique(graph, options);
+  WeightedCliqueOptions weighted_options;
+  weighted_options.stop = source.get_token();
+  const auto weights = test::cluster_weights(600, 6);
+  const WeightedCliqueResult heaviest = max_weight_clique(graph, weights, weighted_options);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), 5);
+  EXPECT_FALSE(largest.proven_optimal);
+  EXPECT_GE(largest.upper_bound, planted);
+  EXPECT_FALSE(heaviest.proven_optimal);
+  EXPECT_GE(heaviest.upper_bound, heaviest.weight);
 }
 
 template <class Options>

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <limits>
 #include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 #include "parallel/deadline.hpp"
@@ -49,6 +50,19 @@ TEST(ParallelFor, ForwardsAnExceptionOfTheBody) {
 TEST(ResolveNumThreads, KeepsARequestAndTurnsZeroIntoEveryCore) {
   EXPECT_EQ(resolve_num_threads(3), 3);
   EXPECT_GE(resolve_num_threads(0), 1);
+}
+
+TEST(Deadline, PassesWithARequestToStop) {
+  std::stop_source source;
+  const Deadline deadline(1000, source.get_token());
+  const Deadline inner = deadline.within(500);
+  EXPECT_FALSE(deadline.expired());
+  EXPECT_LE(inner.remaining(), 500);
+  source.request_stop();
+  for (const Deadline& stopped : {deadline, inner}) {
+    EXPECT_TRUE(stopped.expired());
+    EXPECT_EQ(stopped.remaining(), 0);
+  }
 }
 
 TEST(Deadline, OfZeroSecondsHasPassedAndOfInfinityNeverDoes) {

@@ -140,6 +140,7 @@ VALUES = {
         "max_nodes": 7,
         "max_work": 9,
         "must_exceed": 4.5,
+        "num_threads": 2,
         "max_memory": 5,
     },
 }

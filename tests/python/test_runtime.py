@@ -11,16 +11,39 @@ import time
 
 import gmcr
 import numpy as np
+import pytest
 
-LONG_SOLVE = """
-import gmcr
+SEARCHES = {
+    "many short searches": """
 problem = gmcr.make_synthetic(num_correspondences=6000, outlier_rate=0.995, seed=1,
                               scale_range=(1, 3))
+def search():
+    gmcr.register_correspondences(problem.source, problem.target, noise_mode="estimated",
+                                  scale_mode="estimated", time_limit=60)
+""",
+    "one long certificate": """
+problem = gmcr.make_synthetic("structured", num_correspondences=90, outlier_rate=0.95, seed=2)
+def search():
+    gmcr.register_correspondences(problem.source, problem.target, noise_bound=0.07,
+                                  scale_mode="estimated", certify=True, time_limit=60)
+""",
+    "a hard graph": """
+upper = np.triu(np.random.default_rng(1).random((600, 600)) < 0.9, 1)
+def search():
+    gmcr.max_clique(upper | upper.T)
+""",
+    "a hard graph with weights": """
+upper = np.triu(np.random.default_rng(1).random((600, 600)) < 0.9, 1)
+weights = np.random.default_rng(2).random(600)
+def search():
+    gmcr.max_weight_clique(upper | upper.T, weights)
+""",
+}
+UNTIL_INTERRUPTED = """
 print("ready", flush=True)
 try:
     while True:
-        gmcr.register_correspondences(problem.source, problem.target, noise_mode="estimated",
-                                      scale_mode="estimated", time_limit=60)
+        search()
 except KeyboardInterrupt:
     print("interrupted", flush=True)
 """
@@ -68,9 +91,11 @@ def test_two_threads_get_the_results_of_one(problem):
     assert all(np.array_equal(result.matrix(), expected.matrix()) for result in results)
 
 
-def test_ctrl_c_stops_a_long_solve():
+@pytest.mark.parametrize("search", SEARCHES)
+def test_ctrl_c_stops(search):
+    program = "import gmcr\nimport numpy as np\n" + SEARCHES[search] + UNTIL_INTERRUPTED
     process = subprocess.Popen(
-        [sys.executable, "-c", LONG_SOLVE],
+        [sys.executable, "-c", program],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -78,7 +103,7 @@ def test_ctrl_c_stops_a_long_solve():
     assert process.stdout.readline() == "ready\n"
     time.sleep(1)
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=10)
     assert out == "interrupted\n", err
     assert process.returncode == 0
 

@@ -266,6 +266,22 @@ TEST(RegisterCorrespondences, StopsWhenTheProgressCallbackSaysSo) {
   EXPECT_NE(result.diagnostics.limits_hit[0].find("caller"), std::string::npos);
 }
 
+TEST(RegisterCorrespondences, StopsAtARequest) {
+  const auto problem = random_problem(12, 20, 480);
+  for (const NoiseMode noise : {NoiseMode::Given, NoiseMode::Estimated}) {
+    Options options = problem.options_with_unknown_scale();
+    options.noise_mode = noise;
+    if (noise == NoiseMode::Estimated) options.noise_bound = 0;
+    std::stop_source source;
+    source.request_stop();
+    options.stop = source.get_token();
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    ASSERT_FALSE(result.diagnostics.limits_hit.empty());
+    EXPECT_NE(result.diagnostics.limits_hit[0].find("caller"), std::string::npos)
+        << result.diagnostics.limits_hit[0];
+  }
+}
+
 TEST(RegisterCorrespondences, ReportsWhatItDid) {
   const auto problem = random_problem(13, 20, 80);
   const Result result = register_correspondences(problem.source, problem.target, problem.options());
