@@ -92,7 +92,7 @@ def method_list(records: Sequence[dict], out: Path) -> str:
 
 
 def size_of(records: Sequence[dict]) -> str:
-    problems = {record["input_hash"] for record in records}
+    problems = {record["key"].rpartition("|")[0] for record in records}
     seeds = {record["seed"] for record in records}
     return f"{len(problems)} problems, {len(seeds)} seeds, {len(records)} runs."
 

@@ -21,7 +21,7 @@ def draw(records: Sequence[dict]) -> Figure:
     methods = methods_of(records)
     draw_recall(rotation, partial(errors, name="rotation_deg"), records, methods)
     draw_recall(translation, partial(errors, name="translation"), records, methods)
-    rotation.set(xlim=(0, 1), ylim=(-3, 103), xlabel="rotation error, degrees", ylabel="runs, %")
-    translation.set(xlim=(0, 0.3), xlabel="translation error, m")
+    rotation.set(xlim=(0, 0.6), ylim=(-3, 103), xlabel="rotation error, degrees", ylabel="runs, %")
+    translation.set(xlim=(0, 0.1), xlabel="translation error, m")
     shared_legend(figure, rotation)
     return figure

@@ -30,7 +30,7 @@ def draw(records: Sequence[dict]) -> Figure:
         panel.axvline(100 * MAX_SHARE_OF_DIAMETER, color="#555555", linewidth=0.6)
         panel.set(title=title, xlim=(0, 20), ylim=(-3, 103))
     panels[0].set_ylabel("runs, %")
-    figure.supxlabel("ADD, % of diameter", fontsize=7)
+    panels[1].set_xlabel("ADD, % of diameter")
     shared_legend(figure, panels[0])
     return figure
 

@@ -8,7 +8,14 @@ from matplotlib import pyplot
 from matplotlib.figure import Figure
 
 from paper.figures.registry import figure_of
-from paper.figures.style import COLUMN_WIDTH, LIMIT, line_style, methods_of, shared_legend
+from paper.figures.style import (
+    COLUMN_WIDTH,
+    LIMIT,
+    line_style,
+    methods_of,
+    plain_ticks,
+    shared_legend,
+)
 from paper.statistics import quartiles, success_rate, times_ms
 
 TITLES = {"kitti_fpfh": "KITTI, FPFH", "gore": "GORE, PFH"}
@@ -43,6 +50,7 @@ def draw(records: Sequence[dict]) -> Figure:
                 **style,
             )
         panel.set(title=title, xscale="log", xlabel="time, ms", ylim=(-4, 104))
+        plain_ticks(panel.xaxis)
     panels[0].set_ylabel("success, %")
     shared_legend(figure, panels[0])
     return figure

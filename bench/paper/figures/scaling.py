@@ -16,6 +16,7 @@ from paper.figures.style import (
     draw_curves,
     line_style,
     methods_of,
+    plain_ticks,
     shared_legend,
 )
 from paper.figures.synthetic import time_summary
@@ -34,6 +35,7 @@ def draw(records: Sequence[dict]) -> Figure:
         mine = [record for record in records if record["outlier_rate"] == rate]
         _draw_times(panel, mine, "num_correspondences")
         panel.set(xscale="log", title=f"({letter}) {100 * rate:g} % outliers", xlabel="N")
+        plain_ticks(panel.xaxis)
     mine = [record for record in records if record["num_correspondences"] == RATES_SIZE]
     _draw_times(panels[2], mine, "outlier_rate", 100)
     panels[2].set(title=f"(c) N = {RATES_SIZE:,}", xlabel="outliers, %")
@@ -53,3 +55,4 @@ def _draw_times(axis: Axes, records: Sequence[dict], field: str, factor: float =
                 style = line_style(method) | {"label": None, "zorder": 5}
                 axis.plot(factor * value, time, markerfacecolor="white", **style)
     axis.set(yscale="log", ylabel="time, ms")
+    plain_ticks(axis.yaxis)

@@ -10,7 +10,14 @@ from matplotlib.figure import Figure
 from reports.records import values_of
 
 from paper.figures.registry import figure_of
-from paper.figures.style import COLUMN_WIDTH, LIMIT, draw_curves, methods_of, shared_legend
+from paper.figures.style import (
+    COLUMN_WIDTH,
+    LIMIT,
+    draw_curves,
+    methods_of,
+    plain_ticks,
+    shared_legend,
+)
 from paper.figures.synthetic import error_summary
 from paper.statistics import errors, quantile, success_rate
 
@@ -36,12 +43,14 @@ def draw(records: Sequence[dict]) -> Figure:
         error, structured, "outlier_rate", error_summary, methods_of(structured), 100, WORST
     )
     draw_curves(success, structured, "outlier_rate", success_summary, rivals, 100, band=False)
-    difference.set(title="(a) difference to random, m", yscale="symlog")
+    difference.set(title="(a) difference to random, m")
     difference.set_yscale("symlog", linthresh=0.01)
     share.set(title="(b) inliers in consensus, %", ylim=(-3, 103))
     error.set(title="(c) mean point error, m", yscale="log", xlabel="outliers, %")
     error.axhline(0.3, color="#555555", linewidth=0.6)
     success.set(title="(d) success, %", ylim=(-3, 103), xlabel="outliers, %")
+    error.set_xticks(range(0, 101, 25))
+    plain_ticks(error.yaxis, difference.yaxis)
     shared_legend(figure, error)
     return figure
 

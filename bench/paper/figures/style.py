@@ -11,7 +11,9 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 from reports.records import group_by
 
 COLUMN_WIDTH = 3.5  # inches
@@ -26,7 +28,7 @@ STYLES = {
     "open3d-fgr": ("FGR (Open3D)", "#e69f00", "P", (0, (6, 2, 1, 2))),
     "kiss-matcher": ("KISS-Matcher", "#7f4fc9", "X", (0, (2, 2))),
     "teaser++": ("TEASER++", "#a6761d", ">", (0, (5, 2, 2, 2))),
-    "least-squares": ("least squares, true inliers", "#999999", "", (0, (1, 3))),
+    "least-squares": ("true inliers (limit)", "#999999", "", (0, (1, 3))),
 }
 LIMIT = "least-squares"  # no competitor: it knows the inliers
 
@@ -111,7 +113,8 @@ def draw_recall(
         finite = sorted(value for value in values(mine) if math.isfinite(value))
         shares = [100 * (k + 1) / len(mine) for k in range(len(finite))]
         style = line_style(method) | {"marker": None}
-        axis.plot([0, *finite], [0, *shares], drawstyle="steps-post", **style)
+        last = shares[-1] if shares else 0
+        axis.plot([0, *finite, 1e9], [0, *shares, last], drawstyle="steps-post", **style)
 
 
 def shared_legend(figure: Figure, axis: Axes, columns: int = 3) -> None:
@@ -123,12 +126,19 @@ def shared_legend(figure: Figure, axis: Axes, columns: int = 3) -> None:
         loc="outside lower center",
         ncols=columns,
         frameon=False,
-        handlelength=3.2,
-        columnspacing=1.2,
+        handlelength=2.8,
+        columnspacing=1.0,
     )
+
+
+def plain_ticks(*axes: Axis) -> None:
+    """Labels of logarithmic axes as plain numbers, at the decades only."""
+    for axis in axes:
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter(NullFormatter())
 
 
 def save(figure: Figure, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=220)
+    figure.savefig(path, dpi=180, pil_kwargs={"optimize": True})
     pyplot.close(figure)

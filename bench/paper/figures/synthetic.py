@@ -8,7 +8,14 @@ from matplotlib import pyplot
 from matplotlib.figure import Figure
 
 from paper.figures.registry import figure_of
-from paper.figures.style import COLUMN_WIDTH, LIMIT, draw_curves, methods_of, shared_legend
+from paper.figures.style import (
+    COLUMN_WIDTH,
+    LIMIT,
+    draw_curves,
+    methods_of,
+    plain_ticks,
+    shared_legend,
+)
 from paper.statistics import errors, quartiles, times_ms
 
 
@@ -34,6 +41,7 @@ def draw(records: Sequence[dict]) -> Figure:
     draw_curves(error, records, "outlier_rate", error_summary, methods_of(records), 100, 10.0)
     time.set(yscale="log", ylabel="(a) time, ms")
     error.set(yscale="log", ylabel="(b) mean point error, m", xlabel="outliers, %")
+    plain_ticks(time.yaxis, error.yaxis)
     error.axhline(0.3, color="#555555", linewidth=0.6)
     shared_legend(figure, error, columns=3)
     return figure

@@ -114,7 +114,7 @@ def test_nearest_pairs_are_within_the_distance_under_the_truth():
     random = np.random.default_rng(4)
     source = random.uniform(-1, 1, (200, 3))
     truth = drawing.random_pose(random, 1.0, (0.5, 2.0))
-    target = truth.apply(source)[::-1] + 0.01
+    target = truth.apply(source)[::-1] + 0.0001
     pairs = drawing.nearest_pairs(source, target, truth, 0.02)
     assert (pairs[:, 0] + pairs[:, 1] == 199).all() and len(pairs) == 200
     with pytest.raises(ValueError, match="201 are needed"):
