@@ -35,7 +35,9 @@ def draw(records: Sequence[dict]) -> Figure:
         mine = [record for record in records if record["outlier_rate"] == rate]
         _draw_times(panel, mine, "num_correspondences")
         panel.set(xscale="log", title=f"({letter}) {100 * rate:g} % outliers", xlabel="N")
-        plain_ticks(panel.xaxis)
+        sizes = sorted({record["num_correspondences"] for record in mine})
+        panel.set_xticks(sizes, [f"{size:,}" for size in sizes])
+        panel.minorticks_off()
     mine = [record for record in records if record["num_correspondences"] == RATES_SIZE]
     _draw_times(panels[2], mine, "outlier_rate", 100)
     panels[2].set(title=f"(c) N = {RATES_SIZE:,}", xlabel="outliers, %")
