@@ -61,6 +61,8 @@ def spread_cell(records: Records, name: str) -> str:
     if not records:
         return "-"
     mean, deviation = mean_and_deviation(errors(records, name))
+    if math.isnan(mean):
+        return "none"
     return f"{number(mean)} ± {number(deviation, 2)}"
 
 
@@ -135,7 +137,7 @@ def objects(records: Records) -> str:
     text = ""
     for (setting,), group in group_by(records, "setting").items():
         methods = methods_of(group)
-        text += f"{setting}: ADD in metres (hippo: its own units), mean ± standard deviation.\n\n"
+        text += f"{setting}: ADD, mean ± standard deviation over the runs with a pose.\n\n"
         rows = [
             [
                 f"{set_name}/{name}",

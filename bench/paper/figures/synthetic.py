@@ -21,8 +21,8 @@ from paper.statistics import errors, quartiles, times_ms
 
 @figure_of(
     "synthetic",
-    "Time (a) and mean point error (b) over the outlier rate, all N together; medians, bands: "
-    "quartiles (without those of gmcr-exact)",
+    "Time (a) and mean point error (b) over the outlier rate, all N together; medians; the line is "
+    "the largest error of a success",
 )
 def draw(records: Sequence[dict]) -> Figure:
     figure, (time, error) = pyplot.subplots(

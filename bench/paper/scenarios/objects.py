@@ -36,8 +36,8 @@ model against what an RGB-D camera saw), of models in a cluttered range scan (UW
 moves the view, but then its noise would scale too. Random and structured: 50 matches of nearest
 neighbours within the overlap radius of the pair, which is the noise bound, and 50 outliers; 10
 runs an object. FPFH: matches and noise bound of `gmcr.match` with unknown scale; 5 runs an
-object. No method is told the range of scales. A success has an ADD below 10 % of the model's
-diameter."""
+object. No method is told the range of scales. Lengths are in metres, the hippo's in its own
+units. A success has an ADD below 10 % of the model's diameter."""
 
 
 @experiment("objects", "Localisation of real objects, unknown scale", PROTOCOL)
