@@ -57,8 +57,8 @@ def compose(out: Path, figures: Path, base: Path) -> str:
         text += TABLES[name](group) + "\n"
     text += "### Where we lose\n\n" + DISCUSSION.read_text() + "\n"
     text += (
-        "All groups of runs in which a method was right more often than `gmcr`, or as often in "
-        "less time:\n\n"
+        "All groups of runs in which a method was right more often than `gmcr`, or a rival as "
+        "often in less time:\n\n"
     )
     return text + (losses(records) or "None.\n")
 

@@ -149,6 +149,15 @@ def test_losses_list_where_another_method_is_right_more_often():
     assert losses({"lidar": [r for r in made_up_records("lidar") if r["method"] == "gmcr"]}) == ""
 
 
+def test_a_rival_that_is_as_often_right_loses_only_by_time():
+    records = made_up_records("lidar")
+    right = [record for record in records if record["success"]]
+    ours = [{**record, "method": "gmcr", "wall_ms": 5.0} for record in right]
+    assert "as often, faster | 100 against 100 | 2 against 5" in losses({"lidar": [*ours, *right]})
+    counting = [{**record, "method": "gmcr-count"} for record in right]
+    assert losses({"lidar": [*ours, *counting]}) == ""
+
+
 def test_the_section_is_composed_from_a_folder_of_records(tmp_path):
     records = RecordFile(tmp_path / "lidar.jsonl")
     for record in made_up_records("lidar"):
