@@ -23,5 +23,6 @@ def draw(records: Sequence[dict]) -> Figure:
     draw_recall(translation, partial(errors, name="translation"), records, methods)
     rotation.set(xlim=(0, 0.6), ylim=(-3, 103), xlabel="rotation error, degrees", ylabel="runs, %")
     translation.set(xlim=(0, 0.1), xlabel="translation error, m")
+    translation.set_xticks([0, 0.05, 0.1])
     shared_legend(figure, rotation)
     return figure

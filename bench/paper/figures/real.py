@@ -28,7 +28,7 @@ TITLES = {"kitti_fpfh": "KITTI, FPFH", "gore": "GORE, PFH"}
 )
 def draw(records: Sequence[dict]) -> Figure:
     figure, panels = pyplot.subplots(
-        1, 2, figsize=(COLUMN_WIDTH, 2.5), sharey=True, layout="constrained"
+        1, 2, figsize=(COLUMN_WIDTH, 2.5), sharex=True, sharey=True, layout="constrained"
     )
     for panel, (set_name, title) in zip(panels, TITLES.items()):
         group = [record for record in records if record["set"] == set_name]
