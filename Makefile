@@ -21,7 +21,7 @@ test: build
 bench: build
 	@bench/run
 
-bench-paper: build
+bench-paper: build/.packages
 	@tools/make_venv
 	@tools/install_extra bench
 	@bench/paper/run
