@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from io import BytesIO
 from pathlib import Path
 
 import matplotlib
@@ -14,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
+from PIL import Image
 from reports.records import group_by
 
 COLUMN_WIDTH = 3.5  # inches
@@ -140,5 +142,8 @@ def plain_ticks(*axes: Axis) -> None:
 
 def save(figure: Figure, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, dpi=180, pil_kwargs={"optimize": True})
+    pixels = BytesIO()
+    figure.savefig(pixels, dpi=200)
     pyplot.close(figure)
+    # a palette, since the pictures are kept in the repository
+    Image.open(pixels).convert("RGB").quantize(64).save(path, optimize=True)
