@@ -15,7 +15,7 @@ class Open3dRansac(Open3dMethod):
     settings = (
         "Open3D, 3 points a sample, 10,000 iterations, confidence 0.99, distance checker at the "
         "noise bound; with known scale the edge-length checker at 0.9 too (it presumes scale 1); "
-        "`with_scaling` where the scale is unknown"
+        "`with_scaling` where the scale is unknown; its pose as returned"
     )
 
     def prepare(self, problem: Problem, time_limit: float) -> None:
