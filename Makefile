@@ -1,5 +1,5 @@
 # The user's entry points. Each does the set-up that it needs and is quick when nothing changed.
-.PHONY: build demo test bench clean format
+.PHONY: build demo test bench bench-paper clean format
 
 build: build/.packages
 	@cmake --preset release -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
@@ -20,6 +20,11 @@ test: build
 
 bench: build
 	@bench/run
+
+bench-paper: build/.packages
+	@tools/make_venv
+	@tools/install_extra bench
+	@bench/paper/run
 
 format:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i

@@ -157,7 +157,7 @@ bool BoundSearch::may_go_on() {
     cancelled_ = !options_.progress({"noise_bound", std::min(done, 1.0)});
   }
   cancelled_ = cancelled_ || options_.stop.stop_requested();
-  late_ = late_ || deadline_.expired();
+  late_ = late_ || (!cancelled_ && deadline_.expired());
   return !cancelled_ && !late_;
 }
 
