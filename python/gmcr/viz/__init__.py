@@ -21,7 +21,7 @@ from .prepare import scene_of_result
 from .scene import DrawLimits
 
 if TYPE_CHECKING:
-    import plotly.graph_objects as go
+    import plotly.graph_objects as go  # type: ignore[import-untyped]
     import viser
 
 __all__ = ["DrawLimits", "plot", "report", "show"]

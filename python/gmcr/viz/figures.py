@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import plotly.graph_objects as go
+import plotly.graph_objects as go  # type: ignore[import-untyped]
 
 from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET
 from .outcome import Outcome

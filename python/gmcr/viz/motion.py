@@ -54,4 +54,5 @@ class Motion:
         turn += (1 - np.cos(share * angle)) * cross @ cross
         goal = self.scale * self.rotation @ self.centre + self.translation
         start = (1 - share) * self.centre + share * goal
-        return self.scale**share * (points - self.centre) @ turn.T + start
+        moved: Floats = self.scale**share * (points - self.centre) @ turn.T + start
+        return moved

@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 from pathlib import Path
 
-import plotly.graph_objects as go
-from plotly.offline import get_plotlyjs
+import plotly.graph_objects as go  # type: ignore[import-untyped]
+from plotly.offline import get_plotlyjs  # type: ignore[import-untyped]
 
 from . import words
 from .figures import clouds_figure, graph_figure, residuals_figure, stages_figure
@@ -153,12 +153,9 @@ def _table(rows: words.Rows) -> str:
 def _draw(figure: go.Figure | None, name: str) -> str:
     if figure is None:
         return ""
-    return figure.to_html(
-        full_html=False,
-        include_plotlyjs=False,
-        div_id=name,
-        config={"displaylogo": False, "responsive": True, "scrollZoom": True},
-    )
+    config = {"displaylogo": False, "responsive": True, "scrollZoom": True}
+    html: str = figure.to_html(config, full_html=False, include_plotlyjs=False, div_id=name)
+    return html
 
 
 def write_page(path: Path, outcome: Outcome, scene: Scene, title: str) -> None:

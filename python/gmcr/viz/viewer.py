@@ -15,6 +15,7 @@ from .scene import Sample, Scene
 
 # Edges of the consensus graph that are drawn; what is left out is said.
 _MAX_EDGES = 2000
+_PANEL_WIDTH = 400  # pixels
 
 
 def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserServer:
@@ -36,7 +37,8 @@ def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserSe
     """
     server = viser.ViserServer(host=host, port=port, label="gmcr", verbose=False)
     size = _extent(scene)
-    server.gui.configure_theme(control_layout="collapsible", control_width="large")
+    server.gui.main_panel.dock_right()
+    server.gui.main_panel.set_width(_PANEL_WIDTH)
     server.gui.add_markdown(_summary(outcome, scene))
     nodes = _add_nodes(server, scene, 1.0 if outcome.has_pose else 0.0, size)
     if outcome.has_pose:
@@ -96,7 +98,7 @@ def _add_nodes(
     ):
         if len(segments):
             nodes[name] = server.scene.add_line_segments(
-                f"/{name}", segments, rgb(colour), line_width=width
+                f"/{name}", segments, rgb(colour), thickness=width, thickness_units="screen"
             )
     for name in ("outliers", "consensus_graph"):
         if name in nodes:
