@@ -87,7 +87,6 @@ def residuals_figure(outcome: Outcome, scene: Scene) -> go.Figure:
             yref="paper",
             text=label,
             showarrow=False,
-            xanchor="right",
             yanchor="bottom",
         )
     axis = "residual, m" if unit == "m" else "residual / noise bound"
@@ -157,7 +156,7 @@ def graph_figure(scene: Scene) -> go.Figure | None:
 
 
 def _chart(figure: go.Figure, **layout: Any) -> go.Figure:
-    legend = {"orientation": "h", "y": 1.0, "yanchor": "bottom", "x": 1, "xanchor": "right"}
+    legend = {"orientation": "h", "y": -0.2, "yanchor": "top", "x": 0.5, "xanchor": "center"}
     figure.update_layout(
         template="plotly_white", margin={"l": 60, "r": 20, "t": 30, "b": 50}, legend=legend
     )

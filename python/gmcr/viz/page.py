@@ -25,7 +25,7 @@ section { background: #fff; border: 1px solid #e0e3e7; border-radius: 8px; paddi
 .good { background: #188038; } .fair { background: #b06000; } .bad { background: #c5221f; }
 .tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px;
          margin-bottom: 14px; }
-.tile b { display: block; font-size: 21px; }
+.tile b { display: block; font-size: 19px; }
 .grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(460px, 1fr)); gap: 14px;
         margin-top: 14px; }
 .note { color: #5f6368; font-size: 13px; margin: 6px 0 0; }
@@ -101,8 +101,10 @@ def _badge(outcome: Outcome) -> str:
 
 def _tiles(outcome: Outcome) -> str:
     bounds, evidence = outcome.certificate, outcome.evidence
+    num_inliers, total = len(outcome.inliers), outcome.num_correspondences
+    percentage = 100 * num_inliers / max(total, 1)
     tiles = [
-        ("num_inliers", words.share(len(outcome.inliers), outcome.num_correspondences), "inliers"),
+        ("num_inliers", f"{num_inliers:,} of {total:,}", f"inliers ({percentage:.1f} %)"),
         ("upper", "proven optimal", "no pose has more inliers")
         if bounds.certified
         else ("upper", f"at most {int(bounds.upper):,}", "inliers, whatever the pose"),

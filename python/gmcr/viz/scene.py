@@ -34,8 +34,8 @@ class DrawLimits:
     """
 
     points: int = 20_000
-    inliers: int = 500
-    outliers: int = 300
+    inliers: int = 200
+    outliers: int = 200
     vertices: int = 100
 
     def __post_init__(self) -> None:
@@ -52,7 +52,7 @@ class Sample:
     total: int
 
     def words(self, noun: str) -> str:
-        """Such as '115 inliers' or '300 of 5,229 outliers'."""
+        """Such as '115 inliers' or '200 of 5,229 outliers'."""
         shown = len(self.indices)
         return f"{shown:,} {noun}" if shown == self.total else f"{shown:,} of {self.total:,} {noun}"
 

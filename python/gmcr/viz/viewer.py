@@ -87,7 +87,7 @@ def _add_nodes(
             f"/{name}",
             points.astype(np.float32),
             rgb(colour),
-            point_size=size / 400,
+            point_size=size / 500,
             precision="float32",
         )
     edges, _ = _graph_edges(scene)
@@ -142,7 +142,7 @@ def _look_at_target(server: viser.ViserServer, scene: Scene, size: float) -> Non
     target = scene.target_cloud
     centre = target.mean(axis=0) if len(target) else np.zeros(3)
     server.initial_camera.look_at = tuple(centre)
-    server.initial_camera.position = tuple(centre + size * np.array([0.6, -0.75, 0.5]))
+    server.initial_camera.position = tuple(centre + size * np.array([0.8, -1.0, 0.65]))
     server.initial_camera.near = size / 1000
     server.initial_camera.far = size * 1000
 
