@@ -90,7 +90,7 @@ def residuals_figure(outcome: Outcome, scene: Scene) -> go.Figure:
             yanchor="bottom",
         )
     axis = "residual, m" if unit == "m" else "residual / noise bound"
-    figure.update_xaxes(type="log", title=axis, exponentformat="power", dtick=1)
+    figure.update_xaxes(type="log", title=axis, exponentformat="power")
     figure.update_yaxes(type="log", title="correspondences", range=_log_counts(figure), dtick=1)
     return _chart(figure, barmode="overlay")
 
@@ -177,11 +177,15 @@ def _encoded(values: npt.NDArray[np.float32]) -> dict[str, str]:
     return {"dtype": "f4", "bdata": b64encode(values.astype("<f4").tobytes()).decode("ascii")}
 
 
+def _marker_size(num_points: int) -> float:
+    return 4.0 if num_points < 500 else 2.5 if num_points < 5000 else 1.3
+
+
 def _points(points: npt.NDArray[Any], name: str, colour: str) -> go.Scatter3d:
     return go.Scatter3d(
         **_xyz(points.astype(np.float32)),
         mode="markers",
-        marker={"size": 1.3, "color": colour},
+        marker={"size": _marker_size(len(points)), "color": colour},
         name=name,
         hovertemplate="(%{x:.4g}, %{y:.4g}, %{z:.4g})<extra>" + name.split(":")[0] + "</extra>",
     )

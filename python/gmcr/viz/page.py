@@ -60,12 +60,7 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
         '<div class="grid">',
         _section("Result", _table(words.result_rows(outcome))),
         _section("Transform, target from source", _pose(outcome)),
-        _section(
-            "Residuals of all correspondences",
-            _draw(residuals_figure(outcome, scene), "residuals")
-            if len(scene.residuals)
-            else _note("There are no correspondences."),
-        ),
+        _section("Residuals of all correspondences", _residuals(outcome, scene)),
         _section(
             "Consensus graph",
             _draw(graph_figure(scene), "graph") + _note(_sentence(words.agreement(scene))),
@@ -100,14 +95,12 @@ def _badge(outcome: Outcome) -> str:
 
 
 def _tiles(outcome: Outcome) -> str:
-    bounds, evidence = outcome.certificate, outcome.evidence
+    evidence = outcome.evidence
     num_inliers, total = len(outcome.inliers), outcome.num_correspondences
     percentage = 100 * num_inliers / max(total, 1)
     tiles = [
         ("num_inliers", f"{num_inliers:,} of {total:,}", f"inliers ({percentage:.1f} %)"),
-        ("upper", "proven optimal", "no pose has more inliers")
-        if bounds.certified
-        else ("upper", f"at most {int(bounds.upper):,}", "inliers, whatever the pose"),
+        ("upper", *_proven(outcome)),
         ("evidence", f"{evidence.lower:,.1f}", f"evidence, of at most {evidence.upper:,.1f}"),
         ("time", words.duration(outcome.total_seconds), words.count(outcome.num_threads, "thread")),
     ]
@@ -116,6 +109,13 @@ def _tiles(outcome: Outcome) -> str:
         for key, value, label in tiles
     )
     return f'<div class="tiles">{"".join(cells)}</div>'
+
+
+def _proven(outcome: Outcome) -> tuple[str, str]:
+    bounds = outcome.certificate
+    if bounds.certified and outcome.has_pose:
+        return "proven optimal", "no pose has more inliers"
+    return f"at most {int(bounds.upper):,}", "inliers, whatever the pose"
 
 
 def _clouds(outcome: Outcome, scene: Scene) -> str:
@@ -131,6 +131,12 @@ def _pose(outcome: Outcome) -> str:
         return table
     rows = "\n".join("".join(f"{value:14.8f}" for value in row) for row in outcome.matrix())
     return f'{table}<pre class="matrix" id="matrix">{rows}</pre>'
+
+
+def _residuals(outcome: Outcome, scene: Scene) -> str:
+    if not outcome.has_pose:
+        return _note("Not drawn: there is no pose.")
+    return _draw(residuals_figure(outcome, scene), "residuals")
 
 
 def _section(heading: str, body: str) -> str:
