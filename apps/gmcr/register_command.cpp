@@ -4,6 +4,7 @@
 #include "cloud_report.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
+#include "html_report.hpp"
 #include "progress.hpp"
 #include "refine.hpp"
 #include "stopwatch.hpp"
@@ -20,6 +21,7 @@ Examples:
   gmcr register 000010.bin 000000.bin --voxel 0.3 -o T.txt --aligned aligned.ply
   gmcr register model.ply scene.pcd --estimate-scale --scale-range 0.1 10
   gmcr register a.ply b.ply --refine none --json > result.json
+  gmcr register a.ply b.ply --report report.html
 
   the noise bound from the matches, not from the voxel size:
     gmcr register a.ply b.ply --noise-bound auto
@@ -42,12 +44,14 @@ struct Arguments {
   std::string aligned;
   std::string matches;
   std::string json_file;
+  std::string report;
   bool json = false;
 };
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
 std::vector<std::string> write_files(const Arguments& arguments, const CloudResult& result,
-                                     const Points& source, const Json& json) {
+                                     const Options& options, const Points& source,
+                                     const Points& target, const Json& json) {
   std::vector<std::string> written;
   const auto note = [&](const std::string& path) { written.push_back(path); };
   if (result.registration.status == Status::Ok) {
@@ -69,10 +73,19 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
     write(arguments.json_file, json);
     note(arguments.json_file);
   }
+  if (!arguments.report.empty()) {
+    write_html_report(arguments.report, json, options,
+                      {arguments.clouds.source + " \u2192 " + arguments.clouds.target,
+                       {result.matches.source, result.matches.target, {}},
+                       source,
+                       target});
+    note(arguments.report);
+  }
   return written;
 }
 
 ExitCode run(const Arguments& arguments) {
+  if (!arguments.report.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   const Points source = read_points(arguments.clouds.source);
   const Points target = read_points(arguments.clouds.target);
@@ -90,7 +103,8 @@ ExitCode run(const Arguments& arguments) {
     seconds = stopwatch.seconds();
   }
   const Json json = to_json(result, options, refinement, seconds);
-  const std::vector<std::string> written = write_files(arguments, result, source, json);
+  const std::vector<std::string> written =
+      write_files(arguments, result, options, source, target, json);
   if (arguments.json) {
     print(json);
   } else {
@@ -131,6 +145,8 @@ void add_register_command(CLI::App& app, Work& work) {
   add_path("--aligned", arguments->aligned, "Write the source after the transform", "CLOUD");
   add_path("--matches", arguments->matches, "Write the matches that inliers index", "MATCHES");
   add_path("--json-file", arguments->json_file, "Write the JSON object to a file too", "FILE");
+  add_path("--report", arguments->report, "Write a page with pictures (needs the Python package)",
+           "FILE.html");
   command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });

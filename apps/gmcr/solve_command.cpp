@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/registration.hpp"
+#include "html_report.hpp"
 #include "progress.hpp"
 #include "result_json.hpp"
 #include "result_report.hpp"
@@ -23,6 +24,7 @@ Examples:
   gmcr solve matches.npy --noise-bound 0.05 --estimate-scale --scale-range 0.1 10
   gmcr solve matches.csv --noise-bound 0.6 --evidence count --json > result.json
   gmcr solve matches.csv --noise-bound 0.6 -o T.txt --inliers inliers.txt
+  gmcr solve matches.csv --noise-bound 0.05 --report report.html
 
   the noise bound is not known:
     gmcr solve matches.csv --noise-bound auto
@@ -46,6 +48,7 @@ struct Arguments {
   InstanceOptions instances;
   std::string transform_path;
   std::string inliers_path;
+  std::string report_path;
   bool json = false;
 };
 
@@ -59,6 +62,7 @@ std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
 }
 
 ExitCode run(const Arguments& arguments) {
+  if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   const Matches matches = read_matches(arguments.matches);
   arguments.solver.noise.check_against(matches, options);
@@ -73,9 +77,13 @@ ExitCode run(const Arguments& arguments) {
     write_transform(arguments.transform_path, best.target_from_source);
   }
   if (!arguments.inliers_path.empty()) write_indices(arguments.inliers_path, best.inliers);
+  const Json json = arguments.wants_instances ? to_json(results, options, seconds)
+                                              : to_json(best, options, seconds);
+  if (!arguments.report_path.empty()) {
+    write_html_report(arguments.report_path, json, options, {arguments.matches, matches, {}, {}});
+  }
   if (arguments.json) {
-    print(arguments.wants_instances ? to_json(results, options, seconds)
-                                    : to_json(best, options, seconds));
+    print(json);
   } else {
     Report report;
     add_result(report, best, options, seconds);
@@ -83,6 +91,7 @@ ExitCode run(const Arguments& arguments) {
     if (is_ok && !arguments.transform_path.empty()) {
       report.line("written", arguments.transform_path);
     }
+    if (!arguments.report_path.empty()) report.line("written", arguments.report_path);
     report.print();
   }
   return is_ok ? kPoseFound : kNoPose;
@@ -136,6 +145,11 @@ void add_solve_command(CLI::App& app, Work& work) {
       .add_option("--inliers", arguments->inliers_path,
                   "Write its inlier indices, from 0, one a line")
       ->type_name("FILE")
+      ->group(kOutput);
+  command
+      .add_option("--report", arguments->report_path,
+                  "Write a page with pictures (needs the Python package)")
+      ->type_name("FILE.html")
       ->group(kOutput);
   command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
   command.footer(kExamples);

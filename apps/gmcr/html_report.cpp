@@ -1,0 +1,110 @@
+#include "html_report.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "options_json.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own that goes with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "gmcr-report-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw IoError(name, 0, "cannot be made");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+/// Where the stderr of the Python program goes; its stdout never reaches that of the tool.
+enum class Errors { Shown, Dropped };
+
+/// Runs `python -m gmcr.viz ARGUMENTS`.
+/// @return its exit code, or -1 where it could not be run or was killed.
+int run_python(const std::vector<std::string>& arguments, Errors errors) {
+  const char* python = std::getenv("GMCR_PYTHON");
+  std::vector<std::string> words = {python != nullptr && *python != '\0' ? python : "python3", "-m",
+                                    "gmcr.viz"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (errors == Errors::Dropped) {
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  }
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return -1;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void require_html_reports() {
+  if (run_python({"check"}, Errors::Dropped) != 0) {
+    throw std::invalid_argument(
+        "--report needs the Python package gmcr with its viz extra: pip install 'gmcr[viz]'");
+  }
+}
+
+void write_html_report(const fs::path& path, Json result, const Options& options,
+                       const ReportInput& input) {
+  if (!std::ofstream(path)) throw IoError(path, 0, std::strerror(errno));
+  const ScratchFolder folder;
+  const fs::path result_path = folder / "result.json";
+  const fs::path matches_path = folder / "matches.npy";
+  result["options"] = to_json(options);
+  write(result_path, result);
+  write_matches(matches_path, input.matches.source, input.matches.target,
+                input.matches.noise_bounds);
+  std::vector<std::string> arguments = {"report", result_path.string(), "--matches",
+                                        matches_path.string(), "--title=" + input.title};
+  if (input.source && input.target) {
+    const fs::path source_path = folder / "source.npy";
+    const fs::path target_path = folder / "target.npy";
+    write_cloud(source_path, *input.source);
+    write_cloud(target_path, *input.target);
+    arguments.insert(arguments.end(), {"--clouds", source_path.string(), target_path.string()});
+  }
+  arguments.insert(arguments.end(), {"--output", fs::absolute(path).string()});
+  const int exit_code = run_python(arguments, Errors::Shown);
+  if (exit_code != 0) {
+    throw IoError(path, 0, fmt::format("no report: gmcr.viz ended with {}", exit_code));
+  }
+}
+
+}  // namespace gmcr::cli

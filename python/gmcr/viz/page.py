@@ -1,0 +1,171 @@
+"""One self-contained HTML page of an outcome: no network, no other file."""
+
+from __future__ import annotations
+
+from html import escape
+from pathlib import Path
+
+import plotly.graph_objects as go  # type: ignore[import-untyped]
+from plotly.offline import get_plotlyjs  # type: ignore[import-untyped]
+
+from . import words
+from .figures import clouds_figure, graph_figure, residuals_figure, stages_figure
+from .outcome import Outcome
+from .scene import Scene
+
+_STYLE = """
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #202124; background: #f6f7f9;
+       margin: 0 auto; max-width: 1280px; padding: 20px 28px 40px; }
+h1 { font-size: 20px; margin: 0 12px 0 0; overflow-wrap: anywhere; }
+h2 { font-size: 16px; margin: 0 0 8px; }
+header { display: flex; flex-wrap: wrap; align-items: center; gap: 6px 0; margin-bottom: 14px; }
+section { background: #fff; border: 1px solid #e0e3e7; border-radius: 8px; padding: 14px 18px;
+          min-width: 0; }
+.badge { border-radius: 12px; padding: 2px 12px; font-weight: 600; color: #fff; }
+.good { background: #188038; } .fair { background: #b06000; } .bad { background: #c5221f; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px;
+         margin-bottom: 14px; }
+.tile b { display: block; font-size: 19px; }
+.grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(460px, 1fr)); gap: 14px;
+        margin-top: 14px; }
+.note { color: #5f6368; font-size: 13px; margin: 6px 0 0; }
+table { border-collapse: collapse; width: 100%; }
+th { text-align: left; font-weight: 500; color: #5f6368; vertical-align: top; white-space: nowrap;
+     padding: 3px 18px 3px 0; width: 1%; }
+td { padding: 3px 0; overflow-wrap: anywhere; }
+.matrix { font-family: "DejaVu Sans Mono", monospace; font-size: 13px; margin: 10px 0 0;
+          overflow-x: auto; }
+footer { color: #5f6368; font-size: 13px; margin-top: 16px; }
+"""
+
+
+def page(outcome: Outcome, scene: Scene, title: str) -> str:
+    """HTML page of an outcome.
+
+    Parameters
+    ----------
+    outcome, scene : Outcome, Scene
+        What to show.
+    title : str
+        Heading, such as the names of the clouds.
+
+    Returns
+    -------
+    str
+        About 5 MB of it the script that draws, and what it draws.
+    """
+    name = escape(title)
+    sections = [
+        _clouds(outcome, scene),
+        '<div class="grid">',
+        _section("Result", _table(words.result_rows(outcome))),
+        _section("Transform, target from source", _pose(outcome)),
+        _section("Residuals of all correspondences", _residuals(outcome, scene)),
+        _section(
+            "Consensus graph",
+            _draw(graph_figure(scene), "graph") + _note(_sentence(words.agreement(scene))),
+        ),
+        _section("Time of each stage", _draw(stages_figure(outcome), "stages")),
+        _section("Options", _table(words.option_rows(outcome)) or _note("Not recorded.")),
+        "</div>",
+    ]
+    return "\n".join(
+        [
+            '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f'<title>gmcr: {name}</title>\n<link rel="icon" href="data:,">',
+            f"<style>{_STYLE}</style>\n<script>{get_plotlyjs()}</script>\n</head>\n<body>",
+            f"<header><h1>{name}</h1>{_badge(outcome)}</header>",
+            _tiles(outcome),
+            *sections,
+            f"<footer>gmcr {escape(outcome.version)}, instruction set "
+            f"{escape(outcome.instruction_set)}</footer>\n</body>\n</html>\n",
+        ]
+    )
+
+
+def _badge(outcome: Outcome) -> str:
+    if outcome.surfaces is not None and outcome.status == "ok":
+        text = outcome.surfaces.verdict
+        tone = {"trusted": "good", "doubtful": "fair"}.get(text, "bad")
+    else:
+        text = "pose found" if outcome.status == "ok" else outcome.status.replace("_", " ")
+        tone = "good" if outcome.status == "ok" else "bad"
+    return f'<span class="badge {tone}" id="verdict">{escape(text)}</span>'
+
+
+def _tiles(outcome: Outcome) -> str:
+    evidence = outcome.evidence
+    num_inliers, total = len(outcome.inliers), outcome.num_correspondences
+    percentage = 100 * num_inliers / max(total, 1)
+    tiles = [
+        ("num_inliers", f"{num_inliers:,} of {total:,}", f"inliers ({percentage:.1f} %)"),
+        ("upper", *_proven(outcome)),
+        ("evidence", f"{evidence.lower:,.1f}", f"evidence, of at most {evidence.upper:,.1f}"),
+        ("time", words.duration(outcome.total_seconds), words.count(outcome.num_threads, "thread")),
+    ]
+    cells = (
+        f'<section class="tile"><b id="{key}">{escape(value)}</b>{escape(label)}</section>'
+        for key, value, label in tiles
+    )
+    return f'<div class="tiles">{"".join(cells)}</div>'
+
+
+def _proven(outcome: Outcome) -> tuple[str, str]:
+    bounds = outcome.certificate
+    if bounds.certified and outcome.has_pose:
+        return "proven optimal", "no pose has more inliers"
+    return f"at most {int(bounds.upper):,}", "inliers, whatever the pose"
+
+
+def _clouds(outcome: Outcome, scene: Scene) -> str:
+    notes = ". ".join(words.drawn(outcome, scene))
+    hint = "Drag to turn, scroll to zoom; a click in the legend hides or shows what it names."
+    body = _draw(clouds_figure(outcome, scene), "clouds") + _note(f"{notes}. {hint}")
+    return _section("Clouds and correspondences", body)
+
+
+def _pose(outcome: Outcome) -> str:
+    table = _table(words.pose_rows(outcome))
+    if not outcome.has_pose:
+        return table
+    rows = "\n".join("".join(f"{value:14.8f}" for value in row) for row in outcome.matrix())
+    return f'{table}<pre class="matrix" id="matrix">{rows}</pre>'
+
+
+def _residuals(outcome: Outcome, scene: Scene) -> str:
+    if not outcome.has_pose:
+        return _note("Not drawn: there is no pose.")
+    return _draw(residuals_figure(outcome, scene), "residuals")
+
+
+def _section(heading: str, body: str) -> str:
+    return f"<section><h2>{escape(heading)}</h2>{body}</section>"
+
+
+def _note(text: str) -> str:
+    return f'<p class="note">{escape(text)}</p>'
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:] + "."
+
+
+def _table(rows: words.Rows) -> str:
+    if not rows:
+        return ""
+    cells = (f"<tr><th>{escape(key)}</th><td>{escape(text)}</td></tr>" for key, text in rows)
+    return f"<table>{''.join(cells)}</table>"
+
+
+def _draw(figure: go.Figure | None, name: str) -> str:
+    if figure is None:
+        return ""
+    config = {"displaylogo": False, "responsive": True, "scrollZoom": True}
+    html: str = figure.to_html(config, full_html=False, include_plotlyjs=False, div_id=name)
+    return html
+
+
+def write_page(path: Path, outcome: Outcome, scene: Scene, title: str) -> None:
+    """Writes ``page`` to a file; what UTF-8 cannot say in the title becomes '?'."""
+    path.write_text(page(outcome, scene, title), encoding="utf-8", errors="replace")

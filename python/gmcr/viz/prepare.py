@@ -1,0 +1,80 @@
+"""From what users have, a result or the tool's files, to an outcome and its scene."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import CloudResult, Options, Result
+from .._arguments import as_options, as_points
+from .outcome import Outcome, outcome_of_json, outcome_of_result
+from .scene import DrawLimits, Floats, Scene, make_scene
+
+
+def scene_of_result(
+    result: Result | CloudResult,
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None,
+    keywords: dict[str, Any],
+    limits: DrawLimits | None,
+) -> tuple[Outcome, Scene]:
+    """Outcome and scene of a result, the points and the options it was computed with."""
+    if not isinstance(result, (Result, CloudResult)):
+        raise TypeError(f"result: expected Result or CloudResult, got {type(result).__name__}")
+    chosen = as_options(Options, options, keywords)
+    outcome = outcome_of_result(result, chosen)
+    clouds = as_points(source, "source"), as_points(target, "target")
+    matched = clouds
+    if isinstance(result, CloudResult):
+        _check_sizes(result, clouds)
+        matched = np.asarray(result.matches.source), np.asarray(result.matches.target)
+    bounds = np.asarray(chosen.noise_bounds, dtype=float)
+    limit = _limit(outcome, bounds if bounds.size else None, chosen.threshold)
+    return outcome, make_scene(outcome, clouds, matched, limit, limits)
+
+
+def scene_of_files(
+    result: Path, matches: Path, clouds: tuple[Path, Path] | None
+) -> tuple[Outcome, Scene]:
+    """Outcome and scene of the files that the tool writes.
+
+    Parameters
+    ----------
+    result : Path
+        JSON object of ``gmcr register`` or ``gmcr solve``.
+    matches : Path
+        ``.npy`` of shape (N, 6) or, with noise bounds, (N, 7).
+    clouds : pair of Path, optional
+        ``.npy`` of shape (N, 3) each; the matched points where there are none.
+
+    Returns
+    -------
+    tuple of Outcome and Scene
+    """
+    outcome = outcome_of_json(json.loads(result.read_text(encoding="utf-8")))
+    rows = np.load(matches)
+    matched = rows[:, :3].astype(float), rows[:, 3:6].astype(float)
+    drawn = matched if clouds is None else (np.load(clouds[0]), np.load(clouds[1]))
+    bounds = rows[:, 6] if rows.shape[1] > 6 else None
+    limit = _limit(outcome, bounds, outcome.options.get("threshold", 1.0))
+    return outcome, make_scene(outcome, drawn, matched, limit)
+
+
+def _check_sizes(result: CloudResult, clouds: tuple[Floats, Floats]) -> None:
+    expected = result.num_source_points, result.num_target_points
+    for name, cloud, size in zip(("source", "target"), clouds, expected):
+        if len(cloud) != size:
+            raise ValueError(f"{name}: {len(cloud)} points, but the result is about {size}")
+
+
+def _limit(outcome: Outcome, bounds: Floats | None, threshold: float) -> Floats | None:
+    if bounds is not None:
+        return bounds / threshold
+    if outcome.noise_bound is None:
+        return None
+    return np.full(outcome.num_correspondences, outcome.noise_bound / threshold)

@@ -1,0 +1,155 @@
+"""The interactive page of a scene, served by viser."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import viser
+
+from . import words
+from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET, rgb
+from .outcome import Outcome
+from .scene import Sample, Scene
+
+# Edges of the consensus graph that are drawn; what is left out is said.
+_MAX_EDGES = 2000
+_PANEL_WIDTH = 400  # pixels
+
+
+def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserServer:
+    """Starts a server in the background whose page shows the scene.
+
+    Parameters
+    ----------
+    outcome, scene : Outcome, Scene
+        What to show.
+    host : str
+        Address to listen on.
+    port : int
+        Port; the next free one where it is taken.
+
+    Returns
+    -------
+    viser.ViserServer
+        Nodes ``/source``, ``/target``, ``/inliers``, ``/outliers`` and ``/consensus_graph``.
+    """
+    server = viser.ViserServer(host=host, port=port, label="gmcr", verbose=False)
+    size = _extent(scene)
+    server.gui.main_panel.dock_right()
+    server.gui.main_panel.set_width(_PANEL_WIDTH)
+    server.gui.add_markdown(_summary(outcome, scene))
+    nodes = _add_nodes(server, scene, 1.0 if outcome.has_pose else 0.0, size)
+    if outcome.has_pose:
+        _add_slider(server, scene, nodes)
+    _add_toggles(server, scene, nodes)
+    _look_at_target(server, scene, size)
+    return server
+
+
+def _extent(scene: Scene) -> float:
+    extents = [np.ptp(cloud, axis=0).max() for cloud in _clouds(scene) if len(cloud)]
+    return float(max(extents, default=1.0)) or 1.0
+
+
+def _clouds(scene: Scene) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    return scene.motion.apply(scene.source_cloud), scene.target_cloud
+
+
+def _segments(scene: Scene, sample: Sample, share: float) -> npt.NDArray[np.float32]:
+    return np.stack(scene.links(sample, share), axis=1).astype(np.float32)
+
+
+def _graph_edges(scene: Scene) -> tuple[npt.NDArray[np.float32], Sample]:
+    """Segments, (m, 2, 3), between the target points of consistent pairs."""
+    if scene.graph is None:
+        return np.empty((0, 2, 3), dtype=np.float32), Sample(np.empty(0, dtype=np.int64), 0)
+    vertices = np.concatenate([scene.graph.inliers.indices, scene.graph.outliers.indices])
+    pairs = np.argwhere(np.triu(scene.graph.adjacency))
+    kept = np.arange(len(pairs))
+    if len(pairs) > _MAX_EDGES:
+        kept = np.sort(np.random.default_rng(0).choice(len(pairs), _MAX_EDGES, replace=False))
+    segments = scene.target[vertices[pairs[kept]]].astype(np.float32)
+    return segments, Sample(kept, len(pairs))
+
+
+def _add_nodes(
+    server: viser.ViserServer, scene: Scene, share: float, size: float
+) -> dict[str, Any]:
+    nodes: dict[str, Any] = {}
+    moved = scene.motion.apply(scene.source_cloud, share)
+    for name, points, colour in (
+        ("source", moved, SOURCE),
+        ("target", scene.target_cloud, TARGET),
+    ):
+        nodes[name] = server.scene.add_point_cloud(
+            f"/{name}",
+            points.astype(np.float32),
+            rgb(colour),
+            point_size=size / 500,
+            precision="float32",
+        )
+    edges, _ = _graph_edges(scene)
+    for name, segments, colour, width in (
+        ("inliers", _segments(scene, scene.inliers, share), INLIER, 2.0),
+        ("outliers", _segments(scene, scene.outliers, share), OUTLIER, 1.0),
+        ("consensus_graph", edges, BOUND, 1.0),
+    ):
+        if len(segments):
+            nodes[name] = server.scene.add_line_segments(
+                f"/{name}", segments, rgb(colour), thickness=width, thickness_units="screen"
+            )
+    for name in ("outliers", "consensus_graph"):
+        if name in nodes:
+            nodes[name].visible = False
+    return nodes
+
+
+def _add_slider(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
+    slider = server.gui.add_slider("before / after", 0.0, 1.0, 0.01, 1.0)
+
+    @slider.on_update
+    def move(_: object) -> None:
+        share = float(slider.value)
+        nodes["source"].points = scene.motion.apply(scene.source_cloud, share).astype(np.float32)
+        for name, sample in (("inliers", scene.inliers), ("outliers", scene.outliers)):
+            if name in nodes:
+                nodes[name].points = _segments(scene, sample, share)
+
+
+def _add_toggles(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
+    for name, node in nodes.items():
+        _add_toggle(server, name.replace("_", " "), node)
+    point_size = server.gui.add_slider("point size", 0.1, 5.0, 0.1, 1.0)
+    unit = nodes["source"].point_size
+
+    @point_size.on_update
+    def resize(_: object) -> None:
+        for name in ("source", "target"):
+            nodes[name].point_size = unit * float(point_size.value)
+
+
+def _add_toggle(server: viser.ViserServer, label: str, node: Any) -> None:
+    box = server.gui.add_checkbox(label, bool(node.visible))
+
+    @box.on_update
+    def toggle(_: object) -> None:
+        node.visible = bool(box.value)
+
+
+def _look_at_target(server: viser.ViserServer, scene: Scene, size: float) -> None:
+    target = scene.target_cloud
+    centre = target.mean(axis=0) if len(target) else np.zeros(3)
+    server.initial_camera.look_at = tuple(centre)
+    server.initial_camera.position = tuple(centre + size * np.array([0.8, -1.0, 0.65]))
+    server.initial_camera.near = size / 1000
+    server.initial_camera.far = size * 1000
+
+
+def _summary(outcome: Outcome, scene: Scene) -> str:
+    rows = words.result_rows(outcome) + words.pose_rows(outcome)
+    rows.append(("consensus graph", words.agreement(scene)))
+    lines = [f"**{key}** {text}" if key else text for key, text in rows]
+    shown = [*words.drawn(outcome, scene), f"Graph: {_graph_edges(scene)[1].words('edges')}"]
+    return "  \n".join(lines) + "\n\n" + ". ".join(shown) + "."

@@ -1,0 +1,218 @@
+"""The report and the viewer in headless Chromium."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import gmcr
+import numpy as np
+import pytest
+
+pytest.importorskip("plotly", reason="the extra viz is not installed")
+pytest.importorskip("viser", reason="the extra viz is not installed")
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+image = pytest.importorskip("PIL.Image", reason="pillow is not installed")
+
+from gmcr.viz import DrawLimits, plot, report, show, words  # noqa: E402
+from gmcr.viz.colours import SOURCE, TARGET, rgb  # noqa: E402
+from gmcr.viz.prepare import scene_of_result  # noqa: E402
+
+CHROMIUM = shutil.which("chromium")
+LIMITS = DrawLimits(points=1500, outliers=20)
+
+Cloud = np.ndarray
+Clouds = tuple[Cloud, Cloud, gmcr.Similarity]
+
+
+class Visit:
+    """A page, what it complained of, and what it asked of the network."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+        self.errors: list[str] = []
+        self.requests: list[str] = []
+        page.on("console", self._note)
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("request", lambda request: self.requests.append(request.url))
+
+    def _note(self, message: Any) -> None:
+        if message.type == "error":
+            self.errors.append(message.text)
+
+    def pixels_like(self, selector: str, colour: str) -> np.ndarray:
+        """Which pixels of an element have nearly this colour, (height, width) bool."""
+        picture = image.open(io.BytesIO(self.page.locator(selector).first.screenshot()))
+        pixels = np.asarray(picture.convert("RGB"), dtype=int)
+        return np.abs(pixels - rgb(colour)).max(axis=2) < 20
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    if CHROMIUM is None:
+        pytest.skip("chromium is not installed")
+    with sync_api.sync_playwright() as playwright:
+        arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+        yield browser
+        browser.close()
+
+
+def new_visit(browser: Any) -> Visit:
+    return Visit(browser.new_page(viewport={"width": 1000, "height": 700}))
+
+
+def open_offline(visit: Visit, path: Path) -> None:
+    visit.page.context.set_offline(True)
+    visit.page.goto(path.as_uri())
+    visit.page.wait_for_selector("#clouds canvas", timeout=60_000)
+    visit.page.wait_for_function("document.getElementById('clouds')._fullData !== undefined")
+
+
+@pytest.fixture
+def visit(browser: Any) -> Iterator[Visit]:
+    visit = new_visit(browser)
+    yield visit
+    visit.page.close()
+
+
+@pytest.fixture(scope="module")
+def result(clouds: Clouds) -> gmcr.CloudResult:
+    return gmcr.register_clouds(clouds[0], clouds[1])
+
+
+@pytest.fixture(scope="module")
+def opened(
+    browser: Any,
+    clouds: Clouds,
+    result: gmcr.CloudResult,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Visit:
+    """The report of two clouds, opened without a network."""
+    path = tmp_path_factory.mktemp("report") / "report.html"
+    visit = new_visit(browser)
+    open_offline(visit, report(result, *clouds[:2], path, title="<A> & B", limits=LIMITS))
+    return visit
+
+
+def test_report_opens_without_a_network_and_says_what_the_result_says(
+    opened: Visit, result: gmcr.CloudResult
+) -> None:
+    page, registration = opened.page, result.registration
+    assert page.title() == "gmcr: <A> & B"
+    assert page.inner_text("#verdict") == result.verdict
+    num_matches = len(result.matches.source)
+    num_inliers = len(registration.inliers)
+    assert page.inner_text("#num_inliers") == f"{num_inliers:,} of {num_matches:,}"
+    matrix = np.array([line.split() for line in page.inner_text("#matrix").splitlines()])
+    assert matrix.astype(float) == pytest.approx(result.matrix(), abs=1e-8)
+    body = page.inner_text("body")
+    assert "showing 1,500 of 3,000 points" in body
+    assert registration.certificate.certified or (
+        f"no pose has more than {registration.certificate.upper:,}" in body
+    )
+    assert f"gmcr {gmcr.__version__}" in body
+    for stage in registration.diagnostics.stages:
+        assert page.locator("#stages").get_by_text(stage, exact=True).count() == 1
+    counts = page.evaluate(
+        "document.getElementById('residuals')._fullData.map("
+        "trace => Array.from(trace.y).reduce((sum, count) => sum + count, 0))"
+    )
+    assert counts == [num_inliers, num_matches - num_inliers]
+    assert page.locator("#graph .hm image").count() == 1
+    assert opened.pixels_like("#clouds", SOURCE).sum() > 500
+    assert opened.pixels_like("#clouds", TARGET).sum() > 500
+    assert opened.errors == []
+    assert [url for url in opened.requests if not url.startswith(("file:", "data:"))] == []
+
+
+def test_slider_of_the_report_moves_the_source_to_where_it_was_given_and_back(
+    opened: Visit, clouds: Clouds, result: gmcr.CloudResult
+) -> None:
+    page, drawn = opened.page, "document.getElementById('clouds')._fullData[0]"
+
+    def source_after_click_on(label: str) -> np.ndarray:
+        box = page.get_by_text(label, exact=True).bounding_box()
+        before = page.evaluate(f"{drawn}.x[0]")
+        page.mouse.click(box["x"] + box["width"] / 2, box["y"])
+        page.wait_for_function(f"{drawn}.x[0] !== {before}")
+        return np.transpose(page.evaluate(f"['x', 'y', 'z'].map(i => Array.from({drawn}[i]))"))
+
+    _, scene = scene_of_result(result, *clouds[:2], None, {}, LIMITS)
+    given = clouds[0][scene.source_points.indices]
+    pose = result.registration
+    arrived = given @ (pose.scale * pose.rotation).T + pose.translation
+    assert source_after_click_on("before") == pytest.approx(given, abs=1e-5)
+    assert source_after_click_on("after") == pytest.approx(arrived, abs=1e-5)
+    assert opened.errors == []
+
+
+def test_report_of_data_without_an_answer_opens_and_says_so(visit: Visit, tmp_path: Path) -> None:
+    points = np.eye(3)[:2]
+    result = gmcr.register_correspondences(points, points, noise_bound=0.1)
+    path = report(result, points, points, tmp_path / "none.html", noise_bound=0.1)
+    open_offline(visit, path)
+    assert visit.page.inner_text("#verdict") == "too few correspondences"
+    assert "No pose was found" in visit.page.inner_text("body")
+    assert visit.errors == []
+
+
+def test_plot_names_what_it_draws(problem: gmcr.SyntheticProblem) -> None:
+    result = gmcr.register_correspondences(problem.source, problem.target, noise_bound=0.02)
+    figure = plot(result, problem.source, problem.target, noise_bound=0.02, limits=LIMITS)
+    assert [trace.name for trace in figure.data] == [
+        "source: 100 points",
+        "target: 100 points",
+        "40 inliers",
+        "20 of 60 outliers",
+    ]
+    assert len(figure.data[2].x) == 3 * 40
+    assert [step.label for step in figure.layout.sliders[0].steps][::5] == ["before", "after"]
+
+
+@pytest.fixture
+def server(clouds: Clouds, result: gmcr.CloudResult) -> Iterator[Any]:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    server = show(result, clouds[0], clouds[1], port=port, limits=LIMITS)
+    yield server
+    server.stop()
+
+
+def type_into(box: Any, text: str) -> None:
+    box.fill(text)
+    box.press("Enter")
+    box.page.wait_for_timeout(1500)  # the server answers and the page draws
+
+
+def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
+    visit: Visit, server: Any, clouds: Clouds, result: gmcr.CloudResult
+) -> None:
+    page = visit.page
+    page.goto(f"http://127.0.0.1:{server.get_port()}")
+    page.get_by_text("before / after").wait_for(timeout=60_000)
+    body = page.inner_text("body")
+    inliers = words.share(len(result.registration.inliers), len(result.matches.source))
+    assert f"inliers {inliers}" in body
+    assert "showing 1,500 of 3,000 points" in body
+    for name in ("source", "target", "inliers", "outliers", "consensus graph", "point size"):
+        assert page.get_by_text(name, exact=True).count() >= 1, name
+    position, point_size = page.locator("input[inputmode=decimal]").all()
+    type_into(point_size, "4")
+    after = visit.pixels_like("canvas", SOURCE)
+    assert after.sum() > 300
+    assert visit.pixels_like("canvas", TARGET).sum() > 300
+    type_into(position, "0")
+    before = visit.pixels_like("canvas", SOURCE)
+    assert before.sum() > 100
+    assert (before & after).sum() < 0.5 * after.sum()
+    page.get_by_label("source", exact=True).uncheck()
+    page.wait_for_timeout(1500)
+    assert visit.pixels_like("canvas", SOURCE).sum() < 20
+    assert visit.errors == []
+    assert [url for url in visit.requests if "127.0.0.1" not in url and "blob:" not in url] == []

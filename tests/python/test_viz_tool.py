@@ -1,0 +1,121 @@
+"""``gmcr register --report`` and ``gmcr solve --report``."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from html import unescape
+from pathlib import Path
+
+import gmcr
+import numpy as np
+import pytest
+from gmcr.viz import words
+from gmcr.viz.outcome import outcome_of_json, outcome_of_result
+
+pytest.importorskip("plotly", reason="the extra viz is not installed")
+
+
+def run(
+    tool: Path, *arguments: object, python: str = sys.executable
+) -> subprocess.CompletedProcess:
+    return subprocess.run(
+        [str(tool), *map(str, arguments)],
+        env={**os.environ, "GMCR_PYTHON": python},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+
+
+def text_of(path: Path) -> str:
+    """What the page says, without its scripts and tags."""
+    page = re.sub(r"<(script|style).*?</\1>", " ", path.read_text(encoding="utf-8"), flags=re.S)
+    return " ".join(unescape(re.sub(r"<[^>]*>", " ", page)).split())
+
+
+@pytest.fixture
+def matches(problem: gmcr.SyntheticProblem, tmp_path: Path) -> Path:
+    np.save(tmp_path / "matches.npy", np.hstack([problem.source, problem.target]))
+    return tmp_path / "matches.npy"
+
+
+def test_register_writes_a_report_and_nothing_but_json_on_stdout(
+    tool: Path, clouds: tuple[np.ndarray, np.ndarray, gmcr.Similarity], tmp_path: Path
+) -> None:
+    for name, points in zip(("source.npy", "target.npy"), clouds[:2]):
+        np.save(tmp_path / name, points)
+    report = tmp_path / "a report.html"
+    done = run(
+        tool, "register", tmp_path / "source.npy", tmp_path / "target.npy", "--json",
+        "--report", report, "--threshold", 1.5,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    text = text_of(report)
+    assert f"inliers {words.share(result['num_inliers'], result['num_correspondences'])}" in text
+    assert f"verdict {result['verdict']}: {result['verdict_reason']}" in text
+    assert "showing all 3,000 points" in text
+    assert "threshold 1.5" in text
+    assert "(100.0 %) pairs of inliers agree" in text
+    assert f"gmcr {result['version']}" in text
+
+
+def test_solve_reports_bounds_of_the_matches_and_the_number_of_instances(
+    tool: Path, problem: gmcr.SyntheticProblem, tmp_path: Path
+) -> None:
+    once = np.hstack([problem.source, problem.target, np.linspace(0.02, 0.03, 100)[:, None]])
+    elsewhere = once + np.eye(7)[3] * 10
+    np.save(tmp_path / "matches.npy", np.vstack([once, elsewhere]))
+    report = tmp_path / "report.html"
+    done = run(tool, "solve", tmp_path / "matches.npy", "--instances", 3, "--report", report)
+    assert done.returncode == 0, done.stderr
+    assert f"written       {report}" in done.stdout
+    text = text_of(report)
+    assert "inliers 40 of 200 (20.0 %)" in text
+    assert "instances 2 were found; this is the first" in text
+    assert "noise_bounds 200 values" in text
+
+
+def test_json_of_the_tool_and_result_of_python_are_the_same_outcome(
+    tool: Path, matches: Path, problem: gmcr.SyntheticProblem
+) -> None:
+    done = run(tool, "solve", matches, "--noise-bound", 0.02, "--json")
+    found = outcome_of_json(json.loads(done.stdout))
+    options = gmcr.Options(noise_bound=0.02)
+    expected = outcome_of_result(
+        gmcr.register_correspondences(problem.source, problem.target, options), options
+    )
+    assert found.matrix().tolist() == expected.matrix().tolist()
+    assert found.inliers.tolist() == expected.inliers.tolist()
+    for name in ("certificate", "evidence", "noise_bound", "version", "limits_hit", "scale_range"):
+        assert getattr(found, name) == getattr(expected, name), name
+    assert found.covariance == pytest.approx(expected.covariance)
+    assert list(found.stages) == list(expected.stages)
+
+
+def test_a_python_without_the_package_is_refused_before_any_work(
+    tool: Path, tmp_path: Path
+) -> None:
+    for python in ("/nonexistent/python", "false"):
+        done = run(
+            tool, "solve", tmp_path / "no such file.csv", "--noise-bound", 1,
+            "--report", tmp_path / "report.html", python=python,
+        )  # fmt: skip
+        assert done.returncode == 2
+        assert done.stdout == ""
+        assert done.stderr == (
+            "gmcr: --report needs the Python package gmcr with its viz extra: "
+            "pip install 'gmcr[viz]'\n"
+        )
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_report_that_cannot_be_written_is_an_error_of_files(tool: Path, matches: Path) -> None:
+    done = run(tool, "solve", matches, "--noise-bound", 0.02, "--report", "/nonexistent/a.html")
+    assert done.returncode == 3
+    assert done.stdout == ""
+    assert done.stderr == "gmcr: /nonexistent/a.html: No such file or directory\n"
