@@ -1,0 +1,144 @@
+"""The list of pairs, read as a stream."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import json
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from .options import OPTION_NAMES, parse_value
+
+FILE_FIELDS = ("source", "target", "matches")
+
+
+@dataclasses.dataclass(frozen=True)
+class Pair:
+    """Two clouds, ``source`` and ``target``, or a file of ``matches``, and options of its own."""
+
+    id: str
+    source: str | None = None
+    target: str | None = None
+    matches: str | None = None
+    options: dict[str, Any] = dataclasses.field(default_factory=dict)
+
+
+class PairsError(ValueError):
+    """The list of pairs is malformed; says in which line."""
+
+
+def read_pairs(path: str | Path) -> Iterator[Pair]:
+    """Pairs of a CSV, JSONL or Parquet file, one at a time.
+
+    Parameters
+    ----------
+    path : path
+        Columns ``id`` and either ``matches`` or ``source`` and ``target``; any other is the name of
+        an option (``gmcr.batch.OPTION_NAMES``), empty where the pair has none of its own. Relative
+        paths are relative to the folder of the file.
+
+    Yields
+    ------
+    Pair
+        In the order of the file.
+
+    Raises
+    ------
+    PairsError
+        at the first malformed row, with its line.
+    """
+    path = Path(path)
+    folder = path.resolve().parent
+    for line, fields in _read_rows(path):
+        try:
+            yield _to_pair(fields, folder)
+        except ValueError as error:
+            raise PairsError(f"{path}:{line}: {error}") from None
+
+
+def count_pairs(path: str | Path) -> int:
+    """Number of pairs, after a check of the whole list.
+
+    Raises
+    ------
+    PairsError
+        on a malformed row or an id that occurs twice.
+
+    Notes
+    -----
+    Holds all ids in memory, about 150 bytes a pair.
+    """
+    seen: dict[str, int] = {}
+    for number, pair in enumerate(read_pairs(path), start=1):
+        first = seen.setdefault(pair.id, number)
+        if first != number:
+            raise PairsError(f"{path}: pair {number} has the id {pair.id!r} of pair {first}")
+    return len(seen)
+
+
+def _read_rows(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    readers = {".csv": _read_csv, ".jsonl": _read_jsonl, ".parquet": _read_parquet}
+    reader = readers.get(path.suffix)
+    if reader is None:
+        raise PairsError(f"{path}: expected a file of {', '.join(readers)}")
+    return reader(path)
+
+
+def _read_csv(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    with path.open(newline="") as file:
+        reader = csv.reader(file)
+        header = [name.strip() for name in next(reader, [])]
+        for cells in reader:
+            if not cells:
+                continue
+            if len(cells) != len(header):
+                raise PairsError(
+                    f"{path}:{reader.line_num}: {len(cells)} cells, the header has {len(header)}"
+                )
+            texts = zip(header, (cell.strip() for cell in cells))
+            fields = {n: parse_value(t) if n in OPTION_NAMES else t for n, t in texts}
+            yield reader.line_num, fields
+
+
+def _read_jsonl(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    with path.open() as file:
+        for line, text in enumerate(file, start=1):
+            if not text.strip():
+                continue
+            try:
+                fields = json.loads(text)
+            except json.JSONDecodeError as error:
+                raise PairsError(f"{path}:{line}: no JSON: {error}") from None
+            if not isinstance(fields, dict):
+                raise PairsError(f"{path}:{line}: expected a JSON object")
+            yield line, fields
+
+
+def _read_parquet(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    import pyarrow.parquet
+
+    rows: Iterable[dict[str, Any]] = (
+        row
+        for batch in pyarrow.parquet.ParquetFile(path).iter_batches()
+        for row in batch.to_pylist()
+    )
+    return enumerate(rows, start=1)
+
+
+def _to_pair(fields: dict[str, Any], folder: Path) -> Pair:
+    given = {name: value for name, value in fields.items() if value is not None and value != ""}
+    unknown = fields.keys() - OPTION_NAMES - {"id", *FILE_FIELDS}
+    if unknown:
+        raise ValueError(f"unknown column {min(unknown)!r}")
+    if "id" not in given:
+        raise ValueError("id: is missing")
+    files = {name: given.pop(name) for name in FILE_FIELDS if name in given}
+    if set(files) not in ({"matches"}, {"source", "target"}):
+        raise ValueError(f"expected matches, or source and target, but got {sorted(files)}")
+    return Pair(
+        id=str(given.pop("id")),
+        **{name: str(folder / str(file)) for name, file in files.items()},
+        options=given,
+    )

@@ -1,0 +1,47 @@
+"""A line that says how far the run is, how fast, and how long it will take."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from tqdm import tqdm
+
+from .row import Row
+
+_LOG_SECONDS = 30.0  # between lines where there is no terminal to draw on
+
+
+class Progress:
+    """Bar on stderr with rate and remaining time; lines now and then where that is a file.
+
+    Parameters
+    ----------
+    num_pairs, num_done : int
+        Of the list, and of them those that have a row already.
+    is_shown : bool
+        False: nothing is printed.
+    """
+
+    def __init__(self, num_pairs: int, num_done: int, is_shown: bool) -> None:
+        self._num_errors = 0
+        self._bar = tqdm(
+            total=num_pairs,
+            initial=num_done,
+            unit="pair",
+            mininterval=0.2 if sys.stderr.isatty() else _LOG_SECONDS,
+            disable=not is_shown,
+            dynamic_ncols=True,
+        )
+
+    def add(self, rows: Sequence[Row]) -> None:
+        """Counts rows that have come in."""
+        num_errors = sum(row.status == "error" for row in rows)
+        if num_errors:
+            self._num_errors += num_errors
+            self._bar.set_postfix(errors=self._num_errors, refresh=False)
+        self._bar.update(len(rows))
+
+    def close(self) -> None:
+        """Draws the last state and moves to the next line."""
+        self._bar.close()
