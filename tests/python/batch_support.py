@@ -7,9 +7,8 @@ import signal
 import time
 from pathlib import Path
 
-import numpy as np
-
 import gmcr
+import numpy as np
 from gmcr.batch import Row, register_pair
 
 UNREPEATABLE = {"seconds": None, "read_seconds": None, "attempts": None}

@@ -8,11 +8,10 @@ import time
 from pathlib import Path
 
 import batch_support
+import gmcr
 import numpy as np
 import pytest
 from batch_support import by_id, count_rows, repeatable, starts, write_pairs
-
-import gmcr
 from gmcr import batch
 from gmcr.batch.__main__ import main
 

@@ -4,7 +4,6 @@ import json
 
 import numpy as np
 import pytest
-
 from gmcr.batch import OPTION_NAMES, Pair, PairsError, read_matches, read_pairs
 from gmcr.batch.options import check_options, frontend_options, solver_options
 from gmcr.batch.pairs import count_pairs

@@ -3,7 +3,6 @@
 import itertools
 
 import pytest
-
 from gmcr.batch import Pair, Row
 from gmcr.batch.schedule import Lost, schedule
 

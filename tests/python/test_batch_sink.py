@@ -4,7 +4,6 @@ import dataclasses
 import json
 
 import pytest
-
 from gmcr.batch import Row, SinkError, read_results
 from gmcr.batch.sink import Sink
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import time
 from typing import Any
 
-import ray
-import ray.exceptions
+import ray  # type: ignore[import-not-found,unused-ignore]
+import ray.exceptions  # type: ignore[import-not-found,unused-ignore]
 
 from .row import Row
 from .schedule import Lost
@@ -44,7 +44,8 @@ class RayBackend:
     def num_free(self) -> int:
         now = time.monotonic()
         if now - self._counted >= _COUNT_SECONDS:
-            num_cores = int(ray.cluster_resources().get("CPU", 0))
+            resources = ray.cluster_resources()  # type: ignore[no-untyped-call,unused-ignore]
+            num_cores = int(resources.get("CPU", 0))
             self._capacity = _CHUNKS_PER_CORE * max(1, num_cores)
             self._counted = now
         return self._capacity - len(self._running)

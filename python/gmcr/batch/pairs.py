@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -117,14 +117,9 @@ def _read_jsonl(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
 
 
 def _read_parquet(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
-    import pyarrow.parquet
+    from . import arrow
 
-    rows: Iterable[dict[str, Any]] = (
-        row
-        for batch in pyarrow.parquet.ParquetFile(path).iter_batches()
-        for row in batch.to_pylist()
-    )
-    return enumerate(rows, start=1)
+    return enumerate(arrow.stream(path), start=1)
 
 
 def _to_pair(fields: dict[str, Any], folder: Path) -> Pair:

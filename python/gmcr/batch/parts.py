@@ -38,56 +38,24 @@ class _Jsonl:
 
 
 class _Parquet:
-    """Columns with the types below; needs pyarrow."""
+    """Columns with the types of ``arrow``, which is imported where it is needed."""
 
     suffix = ".parquet"
 
     def write(self, path: Path, rows: list[Fields]) -> None:
-        import pyarrow
-        import pyarrow.parquet
+        from . import arrow
 
-        table = pyarrow.Table.from_pylist(rows, schema=_schema())
-        pyarrow.parquet.write_table(table, path, compression="zstd")
+        arrow.write_rows(path, rows)
 
     def read(self, path: Path) -> list[Fields]:
-        import pyarrow.parquet
+        from . import arrow
 
-        rows: list[Fields] = pyarrow.parquet.ParquetFile(path).read().to_pylist()
-        return rows
+        return list(arrow.stream(path))
 
     def read_ids(self, path: Path) -> Iterable[str]:
-        import pyarrow.parquet
+        from . import arrow
 
-        ids: list[str] = pyarrow.parquet.ParquetFile(path).read(["id"])["id"].to_pylist()
-        return ids
-
-
-def _schema() -> Any:
-    import pyarrow as pa
-
-    return pa.schema(
-        [
-            pa.field("id", pa.string(), nullable=False),
-            pa.field("status", pa.string(), nullable=False),
-            ("reason", pa.string()),
-            ("target_from_source", pa.list_(pa.float64(), 16)),
-            ("scale", pa.float64()),
-            ("num_correspondences", pa.int64()),
-            ("num_inliers", pa.int64()),
-            ("max_inliers", pa.int64()),
-            ("certified", pa.bool_()),
-            ("evidence", pa.float64()),
-            ("noise_bound", pa.float64()),
-            ("verdict", pa.string()),
-            ("verdict_reason", pa.string()),
-            ("fitness", pa.float64()),
-            ("limits_hit", pa.list_(pa.string())),
-            ("inliers", pa.list_(pa.int64())),
-            ("seconds", pa.float64()),
-            ("read_seconds", pa.float64()),
-            ("attempts", pa.int64()),
-        ]
-    )
+        return arrow.read_ids(path)
 
 
 def _finite(value: Any) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from tqdm import tqdm
+from tqdm import tqdm  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
 from .row import Row
 

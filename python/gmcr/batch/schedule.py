@@ -46,8 +46,8 @@ def schedule(
 
     The pairs are read only as fast as they are worked on. The pairs of a chunk whose worker died
     are started again one by one, so that the one which kills workers is told from the others. A
-    pair that is alone in its chunk and has been started more than ``retries`` times is given up as
-    an error row.
+    pair whose worker dies more than ``retries`` times while it is alone is given up as an error
+    row.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def schedule(
     backend : Backend
         Who works.
     retries : int
-        How often a pair may be started again.
+        How often a pair that was alone with a worker that died is started again.
     chunk_pairs : int
         Pairs that a worker gets at a time; 0: about a second of work, by the pairs so far.
 
@@ -98,9 +98,10 @@ class _Queue:
 
     def take_back(self, chunk: Chunk, reason: str, retries: int) -> list[Row]:
         """Queues the pairs of a lost chunk again, or returns the error row of a pair given up."""
-        if len(chunk.pairs) == 1 and chunk.attempt > retries:
+        deaths = chunk.deaths + (len(chunk.pairs) == 1)
+        if deaths > retries:
             return [error_row(chunk.pairs[0].id, reason, chunk.attempt)]
-        self._lost.extend(Chunk((pair,), chunk.attempt + 1) for pair in chunk.pairs)
+        self._lost.extend(Chunk((pair,), chunk.attempt + 1, deaths) for pair in chunk.pairs)
         return []
 
     def learn(self, rows: list[Row]) -> None:

@@ -46,6 +46,8 @@ class Chunk:
     pairs: Sequence[Pair]
     #: How often they were started, this time included.
     attempt: int = 1
+    #: How often a worker died with the pair while it was alone in its chunk.
+    deaths: int = 0
 
 
 def process(chunk: Chunk, work: Work) -> list[Row]:
