@@ -82,15 +82,18 @@ def measure(
         batch.run(probe, folder / "probe", num_workers=1, **settings)
         rows = list(batch.read_results(folder / "probe"))
         seconds = sum(row.seconds or 0 for row in rows) / len(rows)
-        num_pairs = 50_000 if name == "nothing" else max(7, int(given.seconds / seconds))
+        num_pairs = 20_000 if name == "nothing" else max(7, int(given.seconds / seconds))
         for k, (count, backend) in enumerate(itertools.product(counts, ("local", "ray"))):
             todo = write_list(folder / f"{k}.csv", pairs, num_pairs * count)
+            cpu_started = time.process_time()
             summary = run(backend, count, todo, folder / f"{k}", settings)
+            driver_cpu = time.process_time() - cpu_started
             yield {
                 "scenario": name,
                 "backend": backend,
                 "workers": count,
                 **figures(summary, folder / f"{k}", count),
+                "driver_cpu_us": 1e6 * driver_cpu / (num_pairs * count),
                 "input_bytes": input_bytes(pairs),
                 "list_bytes": todo.stat().st_size / (num_pairs * count),
                 **machine(),
@@ -122,6 +125,7 @@ def figures(summary: batch.Summary, out: Path, num_workers: int) -> Fields:
         # work / (workers x wall): what is missing is start, sending and waiting
         "busy_share": busy / (num_workers * summary.seconds),
         "pair_ms": 1000 * busy / len(rows),
+        "pair_cpu_ms": 1000 * sum(row.cpu_seconds or 0 for row in rows) / len(rows),
         "read_ms": 1000 * sum(row.read_seconds or 0 for row in rows) / len(rows),
         "output_bytes": sum(part.stat().st_size for part in out.glob("part-*")) / len(rows),
         # the largest child so far: a local worker, or a server of Ray

@@ -11,7 +11,7 @@ import gmcr
 import numpy as np
 from gmcr.batch import Row, register_pair
 
-UNREPEATABLE = {"seconds": None, "read_seconds": None, "attempts": None}
+UNREPEATABLE = dict.fromkeys(("seconds", "cpu_seconds", "read_seconds", "attempts"))
 
 
 def write_matches(path, seed=1, num_correspondences=60):

@@ -25,6 +25,7 @@ FULL = Row(
     limits_hit=["time"],
     inliers=[1, 2],
     seconds=0.25,
+    cpu_seconds=0.1875,
     read_seconds=0.125,
     attempts=2,
 )

@@ -30,6 +30,7 @@ _ROW_SCHEMA = pa.schema(
         ("limits_hit", pa.list_(pa.string())),
         ("inliers", pa.list_(pa.int64())),
         ("seconds", pa.float64()),
+        ("cpu_seconds", pa.float64()),
         ("read_seconds", pa.float64()),
         ("attempts", pa.int64()),
     ]

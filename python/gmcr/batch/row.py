@@ -9,8 +9,8 @@ import dataclasses
 class Row:
     """One line of the results. Fields that do not apply are None; pairs without a pose have none.
 
-    All fields but ``seconds``, ``read_seconds`` and ``attempts`` are the same bits on every machine
-    and for every number of workers, unless ``limits_hit`` says that a time limit ended the search.
+    All fields but the times and ``attempts`` are the same bits on every machine and for every
+    number of workers, unless ``limits_hit`` says that a time limit ended the search.
     """
 
     id: str
@@ -39,8 +39,9 @@ class Row:
     limits_hit: list[str] | None = None
     #: Indices of the correspondences that agree; only where they were asked for.
     inliers: list[int] | None = None
-    #: Wall time of the pair, and of reading its files.
+    #: Wall time of the pair, its time on a core, and the wall time of reading its files.
     seconds: float | None = None
+    cpu_seconds: float | None = None
     read_seconds: float | None = None
     #: How often the pair was started.
     attempts: int = 1

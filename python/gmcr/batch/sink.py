@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import fcntl
 import json
 import os
@@ -118,7 +117,7 @@ class Sink:
         if not self._rows:
             return
         path = self._folder / f"part-{self._next_part:06d}{self._format.suffix}"
-        self._write_part(path, [dataclasses.asdict(row) for row in self._rows])
+        self._write_part(path, [vars(row) for row in self._rows])
         self._next_part += 1
         self._rows = []
 

@@ -56,7 +56,7 @@ def process(chunk: Chunk, work: Work) -> list[Row]:
 
 
 def _process_pair(pair: Pair, work: Work, attempt: int) -> Row:
-    started = time.perf_counter()
+    started, cpu_started = time.perf_counter(), time.process_time()
     try:
         with deadline(work.pair_timeout):
             row = work.register(pair, work.options)
@@ -69,6 +69,7 @@ def _process_pair(pair: Pair, work: Work, attempt: int) -> Row:
     if not work.keep_inliers:
         row.inliers = None
     row.seconds = time.perf_counter() - started
+    row.cpu_seconds = time.process_time() - cpu_started
     return row
 
 
