@@ -10,9 +10,12 @@ Prints and records one JSON line for a scenario, backend and number of workers.
 from __future__ import annotations
 
 import argparse
+import concurrent.futures
 import csv
+import dataclasses
 import itertools
 import json
+import multiprocessing
 import os
 import resource
 import sys
@@ -25,6 +28,8 @@ from typing import Any
 import gmcr
 import numpy as np
 from gmcr import batch
+from gmcr.batch.sink import Sink
+from gmcr.batch.work import Chunk, Work, process
 
 Fields = dict[str, Any]
 _PROBE_PAIRS = 14  # that tell how many pairs fill the time
@@ -82,6 +87,11 @@ def measure(
         batch.run(probe, folder / "probe", num_workers=1, **settings)
         rows = list(batch.read_results(folder / "probe"))
         seconds = sum(row.seconds or 0 for row in rows) / len(rows)
+        sizes = {
+            "input_bytes": input_bytes(pairs),
+            "row_bytes": row_bytes(rows, folder / "distinct"),
+            "worker_mb": worker_megabytes(probe, settings),
+        }
         num_pairs = 20_000 if name == "nothing" else max(7, int(given.seconds / seconds))
         for k, (count, backend) in enumerate(itertools.product(counts, ("local", "ray"))):
             todo = write_list(folder / f"{k}.csv", pairs, num_pairs * count)
@@ -94,7 +104,7 @@ def measure(
                 "workers": count,
                 **figures(summary, folder / f"{k}", count),
                 "driver_cpu_us": 1e6 * driver_cpu / (num_pairs * count),
-                "input_bytes": input_bytes(pairs),
+                **sizes,
                 "list_bytes": todo.stat().st_size / (num_pairs * count),
                 **machine(),
             }
@@ -127,9 +137,6 @@ def figures(summary: batch.Summary, out: Path, num_workers: int) -> Fields:
         "pair_ms": 1000 * busy / len(rows),
         "pair_cpu_ms": 1000 * sum(row.cpu_seconds or 0 for row in rows) / len(rows),
         "read_ms": 1000 * sum(row.read_seconds or 0 for row in rows) / len(rows),
-        "output_bytes": sum(part.stat().st_size for part in out.glob("part-*")) / len(rows),
-        # the largest child so far: a local worker, or a server of Ray
-        "child_mb": resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024,
         "driver_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
     }
 
@@ -151,6 +158,30 @@ def input_bytes(pairs: list[Fields]) -> float:
     """Mean size of the files of a pair."""
     files = [Path(file) for pair in pairs for file in pair.values()]
     return sum(file.stat().st_size for file in files if file.exists()) / len(pairs)
+
+
+def row_bytes(rows: list[batch.Row], folder: Path, count: int = 10_000) -> float:
+    """Size of a row in Parquet where no two have the same numbers."""
+    rng = np.random.default_rng(0)
+    with Sink(folder, "parquet", {}) as sink:
+        for k, row in zip(range(count), itertools.cycle(rows)):
+            floats = {name: v * rng.random() for name, v in vars(row).items() if type(v) is float}
+            pose = rng.random(16).tolist()
+            changes = {**floats, "id": f"pair-{k:09d}", "target_from_source": pose}
+            sink.write([dataclasses.replace(row, **changes)])
+    return sum(part.stat().st_size for part in folder.glob("part-*")) / count
+
+
+def worker_megabytes(probe: Path, settings: Mapping[str, Any]) -> float:
+    """Largest memory of a process that worked on all pairs of the list."""
+    context = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as pool:
+        return pool.submit(peak_after, probe, settings).result()
+
+
+def peak_after(probe: Path, settings: Mapping[str, Any]) -> float:
+    process(Chunk(tuple(batch.read_pairs(probe))), Work(**settings))
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def machine() -> Fields:

@@ -5,7 +5,7 @@ import argparse
 import json
 from pathlib import Path
 
-from reports import clique, clouds, correspondences, micro, paper_synthetic, scaling
+from reports import batch, clique, clouds, correspondences, micro, paper_synthetic, scaling
 from reports.records import read_records
 
 REPORTS = {
@@ -15,6 +15,7 @@ REPORTS = {
     "scaling": scaling.report,
     "clouds": clouds.report,
     "clique": clique.report,
+    "batch": batch.report,
 }
 
 FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.draw}

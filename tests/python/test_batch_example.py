@@ -4,6 +4,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
+pytest.importorskip("tqdm")
 EXAMPLE = Path(__file__).parents[2] / "examples" / "python" / "04_batch.py"
 
 

@@ -15,6 +15,7 @@ from batch_support import by_id, count_rows, repeatable, starts, write_pairs
 from gmcr import batch
 from gmcr.batch.__main__ import main
 
+pytest.importorskip("tqdm")
 OPTIONS = {"noise_bound": 0.05}
 
 

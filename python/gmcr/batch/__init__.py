@@ -5,7 +5,7 @@
 >>> rows = list(batch.read_results("results"))
 
 From the shell: ``python -m gmcr.batch pairs.csv --out results --noise-bound 0.05``.
-Needs ``pip install gmcr[batch]``.
+``pip install gmcr[batch]`` brings what Parquet, the progress bar and Ray need.
 """
 
 from .matches import read_matches

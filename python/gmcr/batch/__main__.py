@@ -49,8 +49,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             retry_errors=given.retry_errors,
             show_progress=not given.quiet,
         )
-    except (ValueError, ModuleNotFoundError) as error:
+    except ValueError as error:
         print(f"gmcr.batch: {error}", file=sys.stderr)
+        return 2
+    except ModuleNotFoundError as error:
+        print(f"gmcr.batch: {error}; try: pip install 'gmcr[batch]'", file=sys.stderr)
         return 2
     except OSError as error:
         print(f"gmcr.batch: {error}", file=sys.stderr)
