@@ -219,6 +219,17 @@ def test_a_run_that_was_killed_goes_on_without_losing_or_repeating_a_pair(tmp_pa
     assert all(started.count(id) == 1 for id in done)
 
 
+def test_a_script_whose_workers_cannot_start_is_told_so_and_has_no_error_rows(tmp_path):
+    pairs, script = write_pairs(tmp_path, ["a"]), tmp_path / "no_guard.py"
+    call = f"batch.run({str(pairs)!r}, {str(tmp_path / 'out')!r}, format='jsonl')"
+    script.write_text(f"from gmcr import batch\n{call}\n")
+    driver = start([sys.executable, str(script)])
+    _, errors = driver.communicate(timeout=30)
+    assert driver.returncode == 1
+    assert "the first worker ended before it could work (exit code 1)" in errors
+    assert rows_by_id(tmp_path / "out") == {}
+
+
 def test_an_interrupted_command_keeps_its_rows_and_says_how_to_go_on(tmp_path):
     pairs, out = tmp_path / "pairs.csv", tmp_path / "out"
     write_pairs(tmp_path, [f"p{k}" for k in range(20_000)])

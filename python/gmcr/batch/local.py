@@ -34,6 +34,7 @@ class LocalBackend:
         self._num_workers = num_workers or gmcr.hardware_threads()
         self._idle: list[_Worker] = []
         self._busy: dict[Connection, tuple[_Worker, Chunk]] = {}
+        self._has_started = False
 
     def num_free(self) -> int:
         return self._num_workers - len(self._busy)
@@ -52,13 +53,29 @@ class LocalBackend:
         ended: list[tuple[Chunk, list[Row] | Lost]] = []
         for pipe in connection.wait(list(self._busy), seconds):
             assert isinstance(pipe, Connection)
-            worker, chunk = self._busy.pop(pipe)
+            worker, chunk = self._busy[pipe]
             try:
-                ended.append((chunk, pipe.recv()))
-                self._idle.append(worker)
+                rows = pipe.recv()
             except (EOFError, ConnectionResetError):
-                ended.append((chunk, Lost(f"the worker died ({worker.end()})")))
+                how = worker.end()
+                self._check_start(how)
+                rows = Lost(f"the worker died ({how})")
+            else:
+                self._has_started = True
+                if rows is None:  # it is up, and now takes the chunk
+                    continue
+                self._idle.append(worker)
+            del self._busy[pipe]
+            ended.append((chunk, rows))
         return ended
+
+    def _check_start(self, how: str) -> None:
+        """Where no worker could ever start, that is the program's fault, not that of the pairs."""
+        if not self._has_started:
+            raise RuntimeError(
+                f"the first worker ended before it could work ({how}): can it import the main "
+                'module, is the call under `if __name__ == "__main__":`?'
+            )
 
     def close(self) -> None:
         for worker in [*self._idle, *(worker for worker, _ in self._busy.values())]:
@@ -89,5 +106,6 @@ class _Worker:
 def _serve(pipe: Connection, work: Work) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which ends this one
     with contextlib.suppress(EOFError, ConnectionResetError, BrokenPipeError):
+        pipe.send(None)
         while True:
             pipe.send(process(pipe.recv(), work))

@@ -107,6 +107,8 @@ def run(
         with rows of other options (``SinkError``).
     OSError
         where the list cannot be read or the rows cannot be written.
+    RuntimeError
+        where no worker can start.
     """
     options = dict(options or {})
     _check(options, num_workers, chunk_pairs, retries, pair_timeout)
