@@ -17,7 +17,6 @@ import itertools
 import json
 import multiprocessing
 import os
-import resource
 import sys
 import tempfile
 import time
@@ -137,7 +136,6 @@ def figures(summary: batch.Summary, out: Path, num_workers: int) -> Fields:
         "pair_ms": 1000 * busy / len(rows),
         "pair_cpu_ms": 1000 * sum(row.cpu_seconds or 0 for row in rows) / len(rows),
         "read_ms": 1000 * sum(row.read_seconds or 0 for row in rows) / len(rows),
-        "driver_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
     }
 
 
@@ -181,7 +179,9 @@ def worker_megabytes(probe: Path, settings: Mapping[str, Any]) -> float:
 
 def peak_after(probe: Path, settings: Mapping[str, Any]) -> float:
     process(Chunk(tuple(batch.read_pairs(probe))), Work(**settings))
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    # ru_maxrss would begin with the memory of the parent
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM")) / 1024
 
 
 def machine() -> Fields:

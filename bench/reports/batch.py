@@ -1,6 +1,6 @@
 """Throughput of gmcr.batch, and what a million and a billion pairs take at that cost."""
 
-from reports.markdown import number, table
+from reports.markdown import milliseconds, number, table
 from reports.records import group_by, median_of
 
 MARGIN = 1.25  # cores that wait for files, chunks and the last pair
@@ -21,18 +21,21 @@ def report(records):
 
 def throughput(records):
     header = [
-        "pairs", "backend", "workers", "pairs/s", "pairs/s/worker", "scaling", "busy %", "ms a pair",
-        "CPU ms a pair", "reading ms", "driver CPU us",
+        "pairs", "backend", "workers", "pairs/s", "scaling", "busy %", "ms a pair", "CPU ms a pair",
+        "pairs a CPU second", "reading ms", "driver CPU ms",
     ]
     rows = []
     for (scenario, _), group in group_by(records, "scenario", "backend").items():
+        has_work = scenario != "nothing"
         base = group[0]["pairs_per_second"] / group[0]["workers"]
         for record in group:
             rate = record["pairs_per_second"]
             rows.append([
-                scenario, record["backend"], record["workers"], number(rate), number(rate / record["workers"]),
-                number(rate / base), f"{100 * record['busy_share']:.0f}", number(record["pair_ms"]),
-                number(record["pair_cpu_ms"]), number(record["read_ms"]), number(record["driver_cpu_us"]),
+                scenario, record["backend"], record["workers"], milliseconds(rate), number(rate / base),
+                f"{100 * record['busy_share']:.0f}", milliseconds(record["pair_ms"]),
+                milliseconds(record["pair_cpu_ms"]),
+                milliseconds(1000 / record["pair_cpu_ms"]) if has_work else "-",
+                milliseconds(record["read_ms"]), number(record["driver_cpu_us"] / 1000, 2),
             ])
     return table(header, rows)
 

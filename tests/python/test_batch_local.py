@@ -191,6 +191,11 @@ def test_settings_out_of_range_are_refused(tmp_path, settings):
         run(write_pairs(tmp_path, ["a"]), tmp_path / "out", **settings)
 
 
+def test_workers_and_a_cluster_are_one_too_many(tmp_path):
+    with pytest.raises(ValueError, match="num_workers: 1 with an address"):
+        run(write_pairs(tmp_path, ["a"]), tmp_path / "out", address="auto")
+
+
 DRIVER = """
 from batch_support import by_id
 from gmcr import batch

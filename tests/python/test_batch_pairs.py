@@ -74,6 +74,7 @@ def test_pairs_are_read_one_at_a_time(tmp_path):
         ("id,matches\n,a.npy\n", r":2: id: is missing"),
         ("id,matches,nois_bound\na,a.npy,1\n", r":2: unknown column 'nois_bound'"),
         ("id,matches,num_threads\na,a.npy,1\n", r":2: unknown column 'num_threads'"),
+        ("id,matches,voxel_size\na,m.npy,1\n", r":2: voxel_size: is for clouds"),
         ("id,source\na,a.ply\n", r":2: expected matches, or source and target"),
         ("id,source,target,matches\na,s,t,m\n", r":2: expected matches, or source and target"),
         ("id,matches\na,x.npy\nb,x.npy\na,y.npy\n", r"pair 3 has the id 'a' of pair 1"),

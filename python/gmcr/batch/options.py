@@ -23,10 +23,10 @@ def _fields_of(kind: type) -> frozenset[str]:
 
 _SOLVER_NAMES = _fields_of(gmcr.Options) - _EXCLUDED
 #: ``one_to_one`` is that of the solver.
-_FRONTEND_NAMES = _fields_of(gmcr.FrontendOptions) - _SOLVER_NAMES
+FRONTEND_NAMES = _fields_of(gmcr.FrontendOptions) - _SOLVER_NAMES
 
 #: Fields of ``gmcr.Options`` and ``gmcr.FrontendOptions`` that pairs and runs can set.
-OPTION_NAMES = _SOLVER_NAMES | _FRONTEND_NAMES
+OPTION_NAMES = _SOLVER_NAMES | FRONTEND_NAMES
 
 
 def parse_value(text: str) -> Any:
@@ -48,7 +48,7 @@ def solver_options(values: Mapping[str, Any]) -> gmcr.Options:
 def frontend_options(values: Mapping[str, Any]) -> gmcr.FrontendOptions:
     """Options of the front end among the values."""
     return gmcr.FrontendOptions(
-        **{name: value for name, value in values.items() if name in _FRONTEND_NAMES}
+        **{name: value for name, value in values.items() if name in FRONTEND_NAMES}
     )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from .options import OPTION_NAMES, parse_value
+from .options import FRONTEND_NAMES, OPTION_NAMES, parse_value
 
 _FILE_NAMES = ("source", "target", "matches")
 _FILE_CHOICES = ({"matches"}, {"source", "target"})
@@ -134,6 +134,9 @@ def _to_pair(fields: dict[str, Any], folder: Path) -> Pair:
     files = {name: given.pop(name) for name in _FILE_NAMES if name in given}
     if files.keys() not in _FILE_CHOICES:
         raise ValueError(f"expected matches, or source and target, but got {sorted(files)}")
+    unused = FRONTEND_NAMES & given.keys() if "matches" in files else ()
+    if unused:
+        raise ValueError(f"{min(unused)}: is for clouds, not for matches")
     return Pair(
         id=str(given.pop("id")),
         # five times as fast as Path, in the loop that feeds all workers

@@ -73,7 +73,7 @@ def run(
     address : str, optional
         Of a Ray cluster, whose machines see the files under the same paths; None: this machine.
     num_workers : int
-        Processes on this machine; 0: one for each core.
+        Processes on this machine; 0: one for each core. Not with an address.
     chunk_pairs : int
         Pairs that a worker gets at a time; 0: about a second of work.
     retries : int
@@ -112,6 +112,8 @@ def run(
     """
     options = dict(options or {})
     _check(options, num_workers, chunk_pairs, retries, pair_timeout)
+    if address is not None and num_workers:
+        raise ValueError(f"num_workers: {num_workers} with an address: a cluster has its own")
     num_pairs = count_pairs(pairs)
     setup = {
         "version": gmcr.__version__,
