@@ -6,7 +6,7 @@ import json
 import shutil
 from pathlib import Path
 
-from reports import clique, clouds, correspondences, micro, paper_synthetic, scaling
+from reports import batch, clique, clouds, correspondences, micro, paper_synthetic, scaling
 from reports.markdown import bounds_note
 from reports.page import TEMPLATE, compose
 from reports.records import read_records
@@ -18,6 +18,7 @@ REPORTS = {
     "scaling": scaling.report,
     "clouds": clouds.report,
     "clique": clique.report,
+    "batch": batch.report,
 }
 
 FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.draw}
