@@ -1,0 +1,187 @@
+"""Poses from correspondences."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _gmcr
+from ._arguments import PoseLike, as_options, as_points, as_pose
+from ._gmcr import Consensus, InstanceOptions, Options, Result, Uncertainty
+
+
+def register_correspondences(
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None = None,
+    **keywords: Any,
+) -> Result:
+    """Transform that most of the correspondences ``source[i] -> target[i]`` agree with.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (N, 3)
+        Matched points, metres, finite. C-order float64 arrays are read in place.
+    options : Options, optional
+        Every choice of the solver.
+    **keywords
+        Fields of ``Options``, instead of ``options``; ``noise_bound`` in metres is the one that is
+        needed.
+
+    Returns
+    -------
+    Result
+        Status, transform, inliers, certificate and diagnostics. Data without an answer is a status,
+        not an exception. The same bits for any number of threads, unless the time limit binds.
+
+    Raises
+    ------
+    ValueError
+        on a wrong shape, a value that is not finite, or an option out of range, before any work.
+    TypeError
+        on an unknown option.
+
+    Notes
+    -----
+    O(N^2) time and N^2 / 8 bytes; the clique search is exponential in the worst case and ends at
+    ``options.time_limit``. Other Python threads run meanwhile, and Ctrl-C stops it.
+
+    Examples
+    --------
+    >>> problem = gmcr.make_synthetic(num_correspondences=200, outlier_rate=0.9, seed=1)
+    >>> result = gmcr.register_correspondences(problem.source, problem.target, noise_bound=0.01)
+    >>> result.status
+    'ok'
+    """
+    return _gmcr.register_correspondences(
+        as_points(source, "source"), as_points(target, "target"), as_options(Options, options, keywords)
+    )
+
+
+def register_instances(
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None = None,
+    instances: InstanceOptions | None = None,
+    **keywords: Any,
+) -> list[Result]:
+    """Several instances of the source in the target.
+
+    Registers, removes the consensus set, registers what is left, and so on.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (N, 3)
+        As for ``register_correspondences``.
+    options : Options, optional
+        The time limit is for all instances together.
+    instances : InstanceOptions, optional
+        When the search ends.
+    **keywords
+        Fields of ``Options``, instead of ``options``.
+
+    Returns
+    -------
+    list of Result
+        Never empty; the inliers of later ones are those that no earlier one has.
+    """
+    return _gmcr.register_instances(
+        as_points(source, "source"),
+        as_points(target, "target"),
+        as_options(Options, options, keywords),
+        as_options(InstanceOptions, instances, {}),
+    )
+
+
+def evaluate_consensus(
+    target_from_source: PoseLike,
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None = None,
+    **keywords: Any,
+) -> Consensus:
+    """Consensus set of a given transform, by the rules of ``Result.inliers``.
+
+    Parameters
+    ----------
+    target_from_source : Similarity, Result or array_like, shape (4, 4)
+        The transform.
+    source, target : array_like, shape (N, 3)
+        Matched points, metres.
+    options, **keywords
+        As for ``register_correspondences``.
+
+    Returns
+    -------
+    Consensus
+        Inliers and evidence.
+    """
+    return _gmcr.evaluate_consensus(
+        as_pose(target_from_source),
+        as_points(source, "source"),
+        as_points(target, "target"),
+        as_options(Options, options, keywords),
+    )
+
+
+def evaluate_uncertainty(
+    target_from_source: PoseLike,
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    inliers: npt.ArrayLike,
+    options: Options | None = None,
+    **keywords: Any,
+) -> Uncertainty:
+    """Covariance and consistent scales of a given transform, by the rules of ``Result``.
+
+    Parameters
+    ----------
+    target_from_source : Similarity, Result or array_like, shape (4, 4)
+        The transform.
+    source, target : array_like, shape (N, 3)
+        Matched points, metres.
+    inliers : array_like of int, shape (m,)
+        Its consensus set.
+    options, **keywords
+        As for ``register_correspondences``.
+
+    Returns
+    -------
+    Uncertainty
+        Covariance and consistent scales.
+    """
+    return _gmcr.evaluate_uncertainty(
+        as_pose(target_from_source),
+        as_points(source, "source"),
+        as_points(target, "target"),
+        inliers,
+        as_options(Options, options, keywords),
+    )
+
+
+def consistency_graph(
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None = None,
+    **keywords: Any,
+) -> npt.NDArray[np.bool_]:
+    """Which pairs of correspondences can be inliers of one transform: the graph that is searched.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (N, 3)
+        Matched points, metres.
+    options, **keywords
+        As for ``register_correspondences``. With an estimated scale, ``scale_range`` is needed: the
+        pairs are those that agree at some scale in it.
+
+    Returns
+    -------
+    ndarray of bool, shape (N, N)
+        Symmetric, False on the diagonal.
+    """
+    return _gmcr.consistency_graph(
+        as_points(source, "source"), as_points(target, "target"), as_options(Options, options, keywords)
+    )

@@ -1,0 +1,66 @@
+"""Reproducible problems with their truth."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy.typing as npt
+
+from . import _gmcr
+from ._arguments import as_points
+from ._enums import SyntheticKind
+from ._gmcr import SyntheticOptions, SyntheticProblem
+
+_PRESETS = {
+    SyntheticKind.BALL: SyntheticOptions,
+    SyntheticKind.RANDOM: _gmcr.paper_random_options,
+    SyntheticKind.STRUCTURED: _gmcr.paper_structured_options,
+}
+
+
+def make_synthetic(
+    options: SyntheticOptions | None = None,
+    *,
+    kind: str = "ball",
+    model: npt.ArrayLike | None = None,
+    **keywords: Any,
+) -> SyntheticProblem:
+    """A random registration problem, the same for the same options on every machine.
+
+    Parameters
+    ----------
+    options : SyntheticOptions, optional
+        Every choice; then neither ``kind`` nor keywords.
+    kind : {'ball', 'random', 'structured'}
+        Random outliers in a ball, or one of the paper's benchmarks with its settings.
+    model : array_like, shape (M, 3), optional
+        Points to draw the source from, scaled to fit a cube of edge 1 m; uniform in it by default.
+    **keywords
+        Fields of ``SyntheticOptions`` that differ from those of the kind.
+
+    Returns
+    -------
+    SyntheticProblem
+        Source, target, true transform, inliers, noise bound.
+
+    Examples
+    --------
+    >>> problem = gmcr.make_synthetic(num_correspondences=10, outlier_rate=0.3, seed=7)
+    >>> int(problem.is_inlier.sum())
+    7
+    """
+    if options is None:
+        try:
+            options = _PRESETS[SyntheticKind(kind)]()
+        except ValueError:
+            words = ", ".join(repr(word) for word in SyntheticKind)
+            raise ValueError(f"kind: {kind!r} is not one of {words}") from None
+        for name, value in keywords.items():
+            if not hasattr(options, name):
+                raise TypeError(f"make_synthetic() got an unexpected keyword argument {name!r}")
+            setattr(options, name, value)
+    elif keywords or kind != "ball":
+        raise TypeError("give options, or kind and keywords, not both")
+    if model is None:
+        return _gmcr.make_synthetic(options)
+    return _gmcr.make_synthetic(options, as_points(model, "model"))

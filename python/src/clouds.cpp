@@ -1,0 +1,137 @@
+#include "bindings.hpp"
+#include "frontend/fpfh.hpp"
+#include "frontend/normals.hpp"
+#include "frontend/voxel_grid.hpp"
+#include "gmcr/frontend.hpp"
+#include "interruptible.hpp"
+#include "pose_properties.hpp"
+#include "record.hpp"
+
+namespace gmcr::python {
+namespace {
+
+Features fpfh(const PointsRef& points, const FrontendOptions& frontend, double unit,
+              int num_threads) {
+  frontend.validate();
+  if (!points.allFinite()) throw std::invalid_argument("points: not all are finite");
+  const auto neighbourhoods =
+      find_neighbourhoods(points, frontend.feature_radius * unit, num_threads);
+  const Points normals =
+      estimate_normals(points, neighbourhoods, frontend.normal_radius * unit, num_threads);
+  return compute_fpfh(points,
+                      frontend.orientation == NormalOrientation::Outward
+                          ? orient_outward(points, normals)
+                          : orient_toward(points, normals, frontend.source_viewpoint),
+                      neighbourhoods, num_threads);
+}
+
+std::string describe(const CloudResult& result) {
+  const auto registration = nb::cast<std::string>(nb::repr(nb::cast(result.registration)));
+  const nb::str format("CloudResult({!r}, fitness={:.3f}, {} matches, {})");
+  return nb::cast<std::string>(format.attr("format")(name_of(result.verdict), result.fitness,
+                                                     result.matches.source.cols(), registration));
+}
+
+void bind_matches(nb::module_& module) {
+  Record<CloudMatches>(module, "CloudMatches", "Putative correspondences between two clouds.")
+      .field("source", &CloudMatches::source, "(M, 3), matched points of the source, metres.")
+      .field("target", &CloudMatches::target, "(M, 3), matched points of the target, metres.")
+      .field("source_indices", &CloudMatches::source_indices,
+             "(M,) int64, rows of source_voxels, ascending.")
+      .field("target_indices", &CloudMatches::target_indices, "(M,) int64, rows of target_voxels.")
+      .field("source_voxels", &CloudMatches::source_voxels,
+             "(P, 3), the source after the voxel grid.")
+      .field("target_voxels", &CloudMatches::target_voxels,
+             "(Q, 3), the target after the voxel grid.")
+      .field("source_voxel_size", &CloudMatches::source_voxel_size, "Metres, source frame.")
+      .field("target_voxel_size", &CloudMatches::target_voxel_size, "Metres, target frame.")
+      .field("noise_bound", &CloudMatches::noise_bound, "Metres, for the registration.")
+      .field("filtered", &CloudMatches::filtered,
+             "Whether the mutual and the ratio test were applied.")
+      .field("stages", &CloudMatches::stages, "Stage -> seconds.")
+      .read_only();
+}
+
+void bind_cloud_result(nb::module_& module) {
+  auto result =
+      Record<CloudResult>(module, "CloudResult", "Pose of two clouds, and how far to rely on it.")
+          .field("registration", &CloudResult::registration,
+                 "Result; its inliers are rows of matches.source.")
+          .field("matches", &CloudResult::matches, "CloudMatches of the pose.")
+          .field("num_source_points", &CloudResult::num_source_points, "As given.")
+          .field("num_target_points", &CloudResult::num_target_points, "As given.")
+          .field("fitness", &CloudResult::fitness,
+                 "Share of the source voxels that meet the target after the transform, in [0, 1].")
+          .field("distinct_evidence", &CloudResult::distinct_evidence,
+                 "Distinct evidence of the inliers, whatever was maximised.")
+          .field("overlap_rmse", &CloudResult::overlap_rmse,
+                 "RMS distance of the voxels that meet, metres.")
+          .field("target_fitness", &CloudResult::target_fitness,
+                 "Share of the target voxels that meet the source, in [0, 1].")
+          .field("verdict", &CloudResult::verdict, "'trusted', 'doubtful' or 'untrusted'.")
+          .field("verdict_reason", &CloudResult::verdict_reason, "One sentence.")
+          .field("num_attempts", &CloudResult::num_attempts, "Settings that were tried.")
+          .read_only(&describe);
+  result.def_prop_ro(
+      "target_from_source",
+      [](const CloudResult& self) { return self.registration.target_from_source; },
+      "The transform of the registration.");
+  result.def(
+      "matrix",
+      [](const CloudResult& self) {
+        return Convert<Eigen::Matrix4d>::to_python(self.registration.target_from_source.matrix(),
+                                                   {});
+      },
+      nb::sig("def matrix(self) -> numpy.typing.NDArray[numpy.float64]"),
+      "Homogeneous matrix [s R, t; 0 0 0 1] of the transform, (4, 4).");
+}
+
+}  // namespace
+
+void bind_clouds(nb::module_& module) {
+  bind_matches(module);
+  bind_cloud_result(module);
+  module.def("match_clouds", [](const PointsArray& source, const PointsArray& target,
+                                const FrontendOptions& frontend, const Options& options) {
+    return interruptible(options, [&](const Options& watched) {
+      return match_clouds(points_of(source), points_of(target), frontend, watched);
+    });
+  });
+  module.def("register_clouds", [](const PointsArray& source, const PointsArray& target,
+                                   const FrontendOptions& frontend, const Options& options) {
+    return interruptible(options, [&](const Options& watched) {
+      return register_clouds(points_of(source), points_of(target), frontend, watched);
+    });
+  });
+  module.def("with_pose", [](const CloudResult& result, const Similarity& target_from_source,
+                             const Options& options) {
+    const nb::gil_scoped_release no_gil;
+    return with_pose(result, target_from_source, options);
+  });
+  module.def(
+      "voxel_grid",
+      [](const PointsArray& points, double voxel_size) {
+        const Points means = [&] {
+          const nb::gil_scoped_release no_gil;
+          return voxel_grid(points_of(points), voxel_size);
+        }();
+        return copy(means.data(), {static_cast<std::size_t>(means.cols()), 3});
+      },
+      nb::sig("def voxel_grid(points: numpy.typing.NDArray[numpy.float64], voxel_size: float) -> "
+              "numpy.typing.NDArray[numpy.float64]"));
+  module.def(
+      "fpfh",
+      [](const PointsArray& points, const FrontendOptions& frontend, double voxel_size,
+         int num_threads) {
+        const Features features = [&] {
+          const nb::gil_scoped_release no_gil;
+          return fpfh(points_of(points), frontend, voxel_size, num_threads);
+        }();
+        return copy(features.data(), {static_cast<std::size_t>(features.cols()), kFpfhBins});
+      },
+      nb::sig("def fpfh(points: numpy.typing.NDArray[numpy.float64], frontend: FrontendOptions, "
+              "voxel_size: float, "
+              "num_threads: int) -> numpy.typing.NDArray[numpy.float32]"));
+}
+
+}  // namespace gmcr::python
