@@ -1,0 +1,180 @@
+"""Groups of scans, joined by the edges between them that agree with each other.
+
+Pairwise consistent measurements (Mangelson et al. 2018), for scans without an order or odometry.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
+
+import numpy as np
+
+from .._cliques import max_weight_clique
+from .._enums import Verdict
+from ._edge import Edge
+from ._forest import path_length
+from ._motion import Matrix, inverse, rms_motion
+
+_MAX_CLIQUE_WORK = 1 << 32  # a second or two; it binds for thousands of edges between two groups
+_Key = tuple[int, bool, float]
+
+
+@dataclass(frozen=True)
+class _Link:
+    """The largest consistent set of edges between two groups."""
+
+    edges: tuple[Edge, ...]
+    key: _Key  # how early to follow it: trusted edges, whether a triangle confirms it, weight
+
+
+def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge]:
+    """Edges that join the scans to as large groups as they consistently can, best first.
+
+    At first each scan is a group. Between two groups, two edges are compatible where the cycle that
+    they form with the poses within the groups closes; the clique of compatible edges with the most
+    trusted ones, then of the greatest weight, is the link of the two. The groups with the best link
+    are joined, and so on. A link without a trusted edge needs two.
+
+    Parameters
+    ----------
+    edges : sequence of Edge
+        E edges between scans whose origins are their centroids.
+    spreads : sequence of ndarray, shape (3, 3)
+        Covariance of the points of each scan, square metres.
+
+    Returns
+    -------
+    list of Edge
+        The edges of all links in the order in which they were followed.
+
+    Notes
+    -----
+    The first edges cannot be checked so, therefore those of triangles that close come first.
+    O(E N) poses for the triangles of N scans and O(E^2) for the links, where cliques are small.
+    """
+    confirmed = _edges_of_closing_triangles(edges, spreads)
+    groups: dict[int, dict[int, Matrix]] = {i: {i: np.eye(4)} for i in range(len(spreads))}
+    joined: list[Edge] = []
+    links: dict[tuple[int, int], _Link] = {}
+    while True:
+        for pair, between in _edges_between(edges, groups).items():
+            if pair not in links:
+                consistent = _consistent_set(between, groups, pair, joined, spreads)
+                links[pair] = _Link(consistent, _key_of(consistent, confirmed))
+        usable = {
+            pair: link for pair, link in links.items() if link.key[0] > 0 or len(link.edges) > 1
+        }
+        if not usable:
+            return joined
+        pair = max(usable, key=lambda each: usable[each].key)
+        joined += usable[pair].edges
+        _join(groups, pair, usable[pair].edges[0])
+        links = {each: link for each, link in links.items() if not set(each) & set(pair)}
+
+
+def _key_of(edges: Sequence[Edge], confirmed: set[Edge]) -> _Key:
+    num_trusted = sum(edge.verdict == Verdict.TRUSTED for edge in edges)
+    is_confirmed = not confirmed.isdisjoint(edges)
+    return num_trusted, is_confirmed, sum(edge.weight for edge in edges)
+
+
+def _edges_between(
+    edges: Sequence[Edge], groups: Mapping[int, Mapping[int, Matrix]]
+) -> dict[tuple[int, int], list[Edge]]:
+    group_of = {scan: group for group, poses in groups.items() for scan in poses}
+    between: dict[tuple[int, int], list[Edge]] = defaultdict(list)
+    for edge in edges:
+        ends = sorted((group_of[edge.source], group_of[edge.target]))
+        if ends[0] != ends[1]:
+            between[ends[0], ends[1]].append(edge)
+    return between
+
+
+def _consistent_set(
+    edges: Sequence[Edge],
+    groups: Mapping[int, Mapping[int, Matrix]],
+    pair: tuple[int, int],
+    joined: Sequence[Edge],
+    spreads: Sequence[Matrix],
+) -> tuple[Edge, ...]:
+    """Maximum clique of compatible edges between the two groups, the heaviest edge first."""
+    poses = [_pose_between(edge, groups, pair) for edge in edges]
+    is_compatible = np.zeros((len(edges), len(edges)), dtype=np.bool_)
+    for i, j in combinations(range(len(edges)), 2):
+        error = _motion_of(edges[i], groups, pair, poses[i], poses[j], spreads)
+        limit = _cycle_limit(edges[i], edges[j], groups, pair, joined)
+        is_compatible[i, j] = is_compatible[j, i] = error <= limit
+    above_all = 1 + sum(edge.weight for edge in edges)
+    weights = [edge.weight + above_all * (edge.verdict == Verdict.TRUSTED) for edge in edges]
+    clique = max_weight_clique(is_compatible, weights, max_work=_MAX_CLIQUE_WORK).vertices
+    return tuple(edges[i] for i in sorted(clique, key=lambda i: -weights[i]))
+
+
+def _ends(
+    edge: Edge, groups: Mapping[int, Mapping[int, Matrix]], pair: tuple[int, int]
+) -> tuple[int, int]:
+    """The edge's scan in the first group of the pair and its scan in the second."""
+    is_forward = edge.source in groups[pair[0]]
+    return (edge.source, edge.target) if is_forward else (edge.target, edge.source)
+
+
+def _pose_between(
+    edge: Edge, groups: Mapping[int, Mapping[int, Matrix]], pair: tuple[int, int]
+) -> Matrix:
+    """Pose of the second group in the frame of the first, by this edge."""
+    first, second = _ends(edge, groups, pair)
+    step = edge.target_from_source if edge.source == second else inverse(edge.target_from_source)
+    return groups[pair[0]][first] @ step @ inverse(groups[pair[1]][second])
+
+
+def _motion_of(
+    edge: Edge,
+    groups: Mapping[int, Mapping[int, Matrix]],
+    pair: tuple[int, int],
+    pose: Matrix,
+    other: Matrix,
+    spreads: Sequence[Matrix],
+) -> float:
+    """How far the points of the edge's scan in the second group lie apart under two poses."""
+    _, scan = _ends(edge, groups, pair)
+    group_from_scan = groups[pair[1]][scan]
+    change = inverse(group_from_scan) @ inverse(pose) @ other @ group_from_scan
+    return float(rms_motion(change, spreads[scan]))
+
+
+def _cycle_limit(
+    edge: Edge,
+    other: Edge,
+    groups: Mapping[int, Mapping[int, Matrix]],
+    pair: tuple[int, int],
+    joined: Sequence[Edge],
+) -> float:
+    """Errors of the edges of the cycle add up like independent ones of the larger tolerance."""
+    ends = zip(_ends(edge, groups, pair), _ends(other, groups, pair))
+    lengths = (path_length(start, end, joined) or 0 for start, end in ends)
+    return max(edge.tolerance, other.tolerance) * float(np.sqrt(2 + sum(lengths)))
+
+
+def _join(groups: dict[int, dict[int, Matrix]], pair: tuple[int, int], edge: Edge) -> None:
+    """Replaces two groups by one, as the edge says. A new number, so that no link is mistaken."""
+    first_from_second = _pose_between(edge, groups, pair)
+    first, second = groups.pop(pair[0]), groups.pop(pair[1])
+    moved = {scan: first_from_second @ pose for scan, pose in second.items()}
+    groups[max([*groups, *pair]) + 1] = {**first, **moved}
+
+
+def _edges_of_closing_triangles(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> set[Edge]:
+    steps: dict[tuple[int, int], list[tuple[Edge, Matrix]]] = defaultdict(list)
+    for edge in edges:
+        steps[edge.source, edge.target].append((edge, edge.target_from_source))
+        steps[edge.target, edge.source].append((edge, inverse(edge.target_from_source)))
+    confirmed: set[Edge] = set()
+    for i, j, k in combinations(range(len(spreads)), 3):
+        for (a, ij), (b, jk), (c, ki) in product(steps[i, j], steps[j, k], steps[k, i]):
+            limit = max(a.tolerance, b.tolerance, c.tolerance) * np.sqrt(3)
+            if rms_motion(ki @ jk @ ij, spreads[i]) <= limit:
+                confirmed |= {a, b, c}
+    return confirmed

@@ -1,0 +1,69 @@
+"""Finer poses of pairs, by Open3D's ICP, and the points that hold them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .._clouds import with_pose
+from .._gmcr import CloudResult, Options
+from ..io._cloud import import_extra
+from ._motion import Matrix, move
+
+# As `gmcr register` does: distances in voxels of the target, catching first, then fitting closely.
+_DISTANCES = (2.0, 1.0)
+_NORMAL_RADIUS = 2.5
+_NORMAL_NEIGHBORS = 30
+_MAX_ITERATIONS = 30
+# A pose that loses more than this is another pose, not a finer one.
+_LEAST_FITNESS_KEPT = 0.98
+_LEAST_INLIERS_KEPT = 0.8
+
+
+class Refiner:
+    """Open3D, imported once and before the long work."""
+
+    def __init__(self) -> None:
+        self._open3d = import_extra("open3d", "multiview", "multiview")
+
+    def refine(self, result: CloudResult, options: Options) -> CloudResult:
+        """The result at the pose that point-to-plane ICP on the voxels leads to.
+
+        It stays as it is where that pose would lose overlap or inliers.
+        """
+        registration = self._open3d.pipelines.registration
+        voxel = result.matches.target_voxel_size
+        source = self._cloud(result.matches.source_voxels)
+        target = self._cloud(result.matches.target_voxels)
+        target.estimate_normals(
+            self._open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBORS)
+        )
+        pose = result.matrix()
+        for distance in _DISTANCES:
+            pose = registration.registration_icp(
+                source,
+                target,
+                distance * voxel,
+                pose,
+                registration.TransformationEstimationPointToPlane(),
+                registration.ICPConvergenceCriteria(max_iteration=_MAX_ITERATIONS),
+            ).transformation
+        refined = with_pose(result, pose, options)
+        keeps_inliers = len(refined.registration.inliers) >= max(
+            3, _LEAST_INLIERS_KEPT * len(result.registration.inliers)
+        )
+        keeps_overlap = refined.fitness >= _LEAST_FITNESS_KEPT * result.fitness
+        return refined if keeps_inliers and keeps_overlap else result
+
+    def overlap(self, result: CloudResult) -> Matrix:
+        """The voxels of the source that meet the target, (n, 3), source frame, metres."""
+        moved = move(result.matches.source_voxels, result.matrix())
+        distances = self._cloud(moved).compute_point_cloud_distance(
+            self._cloud(result.matches.target_voxels)
+        )
+        meets = np.asarray(distances) <= result.matches.target_voxel_size
+        return result.matches.source_voxels[meets]
+
+    def _cloud(self, points: Matrix) -> Any:
+        return self._open3d.geometry.PointCloud(self._open3d.utility.Vector3dVector(points.copy()))
