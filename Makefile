@@ -15,6 +15,8 @@ demo: build
 
 test: build
 	@ctest --preset release -j2
+	@tools/make_venv
+	@build/venv/bin/python -m pytest -q tests/python
 
 bench: build
 	@bench/run

@@ -56,7 +56,9 @@ def register_correspondences(
     'ok'
     """
     return _gmcr.register_correspondences(
-        as_points(source, "source"), as_points(target, "target"), as_options(Options, options, keywords)
+        as_points(source, "source"),
+        as_points(target, "target"),
+        as_options(Options, options, keywords),
     )
 
 
@@ -183,5 +185,7 @@ def consistency_graph(
         Symmetric, False on the diagonal.
     """
     return _gmcr.consistency_graph(
-        as_points(source, "source"), as_points(target, "target"), as_options(Options, options, keywords)
+        as_points(source, "source"),
+        as_points(target, "target"),
+        as_options(Options, options, keywords),
     )

@@ -9,6 +9,8 @@
 
 NB_MODULE(_gmcr, module) {
   using namespace gmcr;
+  // objects that live until the interpreter ends, such as a default argument, are no leaks
+  nanobind::set_leak_warnings(false);
   module.doc() = "Compiled part of gmcr.";
   module.def(
       "version", [] { return std::string(kVersion); }, "Version of the library.");

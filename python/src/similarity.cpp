@@ -12,8 +12,8 @@ constexpr const char* kDoc =
 
 Composition reads ``c_from_a = c_from_b @ b_from_a``.)";
 
-nb::object apply(const Similarity& self, const PointsArray& points) {
-  const Points images = self.apply(points_of(points));
+nb::object apply(const Similarity& self, nb::handle points) {
+  const Points images = self.apply(Convert<Points>::from_python(points, "points"));
   return copy(images.data(), {static_cast<std::size_t>(images.cols()), 3});
 }
 
@@ -58,7 +58,10 @@ void bind_similarity(nb::module_& module) {
           "the\n"
           "rotation that is kept is the closest exact one.")
       .def("inverse", &Similarity::inverse, "The transform back: source from target.")
-      .def("_apply", &apply)
+      .def("apply", &apply,
+           nb::sig("def apply(self, points: numpy.typing.ArrayLike) -> "
+                   "numpy.typing.NDArray[numpy.float64]"),
+           "Images of points, (N, 3), metres.")
       .def("__matmul__",
            [](const Similarity& self, const Similarity& other) { return self * other; });
   bind_metrics(module);

@@ -1,0 +1,99 @@
+"""The package as it is installed: types, style, documentation, command line, examples."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import inspect
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import gmcr
+import numpy as np
+import pytest
+from gmcr.__main__ import main
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples/python").glob("*.py"))
+
+
+def run(*command, **keywords):
+    return subprocess.run(
+        [sys.executable, *map(str, command)], capture_output=True, text=True, **keywords
+    )
+
+
+def test_types_are_checked_strictly(tmp_path):
+    package = Path(gmcr.__file__).parent
+    assert (package / "py.typed").exists()
+    assert (package / "_gmcr.pyi").exists()
+    done = run(
+        "-m", "mypy", "--strict", "--cache-dir", tmp_path, "-p", "gmcr", cwd=ROOT / "examples"
+    )
+    assert done.returncode == 0, done.stdout
+    done = run("-m", "mypy", "--strict", "--cache-dir", tmp_path, *EXAMPLES, cwd=ROOT / "examples")
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_style_is_clean():
+    paths = [ROOT / "python", ROOT / "tests/python", ROOT / "examples/python"]
+    done = run("-m", "ruff", "check", "--no-cache", *paths, cwd=ROOT)
+    assert done.returncode == 0, done.stdout
+    done = run("-m", "ruff", "format", "--check", "--no-cache", *paths, cwd=ROOT)
+    assert done.returncode == 0, done.stdout
+
+
+def test_only_numpy_is_needed_at_run_time():
+    needed = importlib.metadata.requires("gmcr")
+    assert [name for name in needed if "extra ==" not in name] == ["numpy>=1.22"]
+    assert importlib.metadata.version("gmcr") == gmcr.__version__
+
+
+@pytest.mark.parametrize("name", gmcr.__all__)
+def test_everything_public_is_documented(name):
+    thing = getattr(gmcr, name)
+    if name in ("__version__", "PoseLike"):
+        return
+    assert inspect.getdoc(thing)
+    if inspect.isfunction(thing):
+        for section in ("Parameters", "Returns", "shape"):
+            assert section in thing.__doc__
+    if inspect.isclass(thing):
+        for field, value in vars(thing).items():
+            assert not isinstance(value, property) or value.__doc__, field
+
+
+def test_python_m_gmcr_tells_its_version():
+    done = run("-m", "gmcr", "info")
+    assert json.loads(done.stdout)["version"] == gmcr.__version__
+
+
+@pytest.mark.parametrize("suffix", [".npy", ".csv"])
+def test_python_m_gmcr_solves_a_file(problem, tmp_path, capsys, suffix):
+    path = tmp_path / f"matches{suffix}"
+    matches = np.hstack([problem.source, problem.target])
+    if suffix == ".npy":
+        np.save(path, matches)
+    else:
+        np.savetxt(path, matches, delimiter=",", header="ax,ay,az,bx,by,bz", comments="")
+    assert main(["solve", str(path), "--noise-bound", "0.01", "--evidence", "count"]) == 0
+    fields = json.loads(capsys.readouterr().out)
+    assert fields["status"] == "ok"
+    assert fields["num_inliers"] == fields["certificate"]["lower"] >= 39
+    assert main(["solve", str(path), "--noise-bound", "1e-9"]) == 1
+    assert main(["solve", str(path), "--noise-bound", "-1"]) == 2
+    assert main(["solve", str(tmp_path / "none.npy"), "--noise-bound", "1"]) == 3
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_runs(path, clouds, tmp_path):
+    arguments = []
+    if "clouds" in path.name:
+        for name, points in zip(("source", "target"), clouds):
+            np.save(tmp_path / f"{name}.npy", points)
+            arguments.append(tmp_path / f"{name}.npy")
+    done = run(path, *arguments, env={**os.environ, "PYTHONWARNINGS": "error"})
+    assert done.returncode == 0, done.stderr
+    assert done.stdout
