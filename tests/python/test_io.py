@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 import pytest
-
 from gmcr.io import CloudFileError, read_cloud, read_clouds, read_points, write_points
 
 POINTS = np.array([[0.1, -2, 3e6], [1 / 3, 0, 1e-300], [-7, 8.5, 9]])

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
-
 from gmcr.io import CloudFileError, StampedCloud, read_cloud, read_clouds, read_points
 
 POINTS = np.array([[0.25, -2, 3], [1, 0, 0.5], [-7, 8.5, 9]])

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from itertools import combinations, product
 
 import numpy as np
+import numpy.typing as npt
 
 from .._cliques import max_weight_clique
 from .._enums import Verdict
@@ -19,24 +20,28 @@ from ._forest import path_length
 from ._motion import Matrix, inverse, rms_motion
 
 _MAX_CLIQUE_WORK = 1 << 32  # a second or two; it binds for thousands of edges between two groups
-_Key = tuple[int, bool, float]
 
 
 @dataclass(frozen=True)
 class _Link:
-    """The largest consistent set of edges between two groups."""
+    """The strongest consistent set of edges between two groups."""
 
     edges: tuple[Edge, ...]
-    key: _Key  # how early to follow it: trusted edges, whether a triangle confirms it, weight
+    strength: float
+
+    @property
+    def is_usable(self) -> bool:
+        return len(self.edges) > 1 or self.edges[0].verdict == Verdict.TRUSTED
 
 
 def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge]:
     """Edges that join the scans to as large groups as they consistently can, best first.
 
     At first each scan is a group. Between two groups, two edges are compatible where the cycle that
-    they form with the poses within the groups closes; the clique of compatible edges with the most
-    trusted ones, then of the greatest weight, is the link of the two. The groups with the best link
-    are joined, and so on. A link without a trusted edge needs two.
+    they form with the poses within the groups closes. The clique of compatible edges with the most
+    trusted ones, then with the most that close a triangle, then of the greatest weight, is the link
+    of the two. The groups with the best link are joined, and so on. A link without a trusted edge
+    needs two.
 
     Parameters
     ----------
@@ -52,33 +57,38 @@ def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge
 
     Notes
     -----
-    The first edges cannot be checked so, therefore those of triangles that close come first.
-    O(E N) poses for the triangles of N scans and O(E^2) for the links, where cliques are small.
+    The first edges cannot be checked so, hence the triangles. O(E N) poses for the triangles of N
+    scans and O(E^2) for the links, where cliques are small.
     """
-    confirmed = _edges_of_closing_triangles(edges, spreads)
+    strengths = _strengths(edges, spreads)
     groups: dict[int, dict[int, Matrix]] = {i: {i: np.eye(4)} for i in range(len(spreads))}
     joined: list[Edge] = []
     links: dict[tuple[int, int], _Link] = {}
     while True:
         for pair, between in _edges_between(edges, groups).items():
             if pair not in links:
-                consistent = _consistent_set(between, groups, pair, joined, spreads)
-                links[pair] = _Link(consistent, _key_of(consistent, confirmed))
-        usable = {
-            pair: link for pair, link in links.items() if link.key[0] > 0 or len(link.edges) > 1
-        }
+                is_compatible = _compatibility(between, groups, pair, joined, spreads)
+                links[pair] = _strongest(between, [strengths[e] for e in between], is_compatible)
+        usable = {pair: link for pair, link in links.items() if link.is_usable}
         if not usable:
             return joined
-        pair = max(usable, key=lambda each: usable[each].key)
+        pair = max(usable, key=lambda each: usable[each].strength)
         joined += usable[pair].edges
         _join(groups, pair, usable[pair].edges[0])
         links = {each: link for each, link in links.items() if not set(each) & set(pair)}
 
 
-def _key_of(edges: Sequence[Edge], confirmed: set[Edge]) -> _Key:
-    num_trusted = sum(edge.verdict == Verdict.TRUSTED for edge in edges)
-    is_confirmed = not confirmed.isdisjoint(edges)
-    return num_trusted, is_confirmed, sum(edge.weight for edge in edges)
+def _strengths(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> dict[Edge, float]:
+    """Numbers whose sums compare trusted edges first, then confirmed ones, then weights."""
+    confirmed = _edges_of_closing_triangles(edges, spreads)
+    above_weights = 1 + sum(edge.weight for edge in edges)
+    above_confirmed = (1 + len(edges)) * above_weights
+    return {
+        edge: edge.weight
+        + above_weights * (edge in confirmed)
+        + above_confirmed * (edge.verdict == Verdict.TRUSTED)
+        for edge in edges
+    }
 
 
 def _edges_between(
@@ -93,24 +103,30 @@ def _edges_between(
     return between
 
 
-def _consistent_set(
+def _compatibility(
     edges: Sequence[Edge],
     groups: Mapping[int, Mapping[int, Matrix]],
     pair: tuple[int, int],
     joined: Sequence[Edge],
     spreads: Sequence[Matrix],
-) -> tuple[Edge, ...]:
-    """Maximum clique of compatible edges between the two groups, the heaviest edge first."""
+) -> npt.NDArray[np.bool_]:
+    """Which edges between the two groups agree on the pose of one in the frame of the other."""
     poses = [_pose_between(edge, groups, pair) for edge in edges]
     is_compatible = np.zeros((len(edges), len(edges)), dtype=np.bool_)
     for i, j in combinations(range(len(edges)), 2):
         error = _motion_of(edges[i], groups, pair, poses[i], poses[j], spreads)
         limit = _cycle_limit(edges[i], edges[j], groups, pair, joined)
         is_compatible[i, j] = is_compatible[j, i] = error <= limit
-    above_all = 1 + sum(edge.weight for edge in edges)
-    weights = [edge.weight + above_all * (edge.verdict == Verdict.TRUSTED) for edge in edges]
-    clique = max_weight_clique(is_compatible, weights, max_work=_MAX_CLIQUE_WORK).vertices
-    return tuple(edges[i] for i in sorted(clique, key=lambda i: -weights[i]))
+    return is_compatible
+
+
+def _strongest(
+    edges: Sequence[Edge], strengths: Sequence[float], is_compatible: npt.NDArray[np.bool_]
+) -> _Link:
+    """Maximum clique of compatible edges, the strongest edge first."""
+    clique = max_weight_clique(is_compatible, strengths, max_work=_MAX_CLIQUE_WORK).vertices
+    order = sorted(clique, key=lambda index: -strengths[index])
+    return _Link(tuple(edges[i] for i in order), sum(strengths[i] for i in order))
 
 
 def _ends(

@@ -76,7 +76,7 @@ def register_pairs(
         best = register_clouds(points[source], points[target], frontend, solver)
         for result in _hypotheses(best, solver):
             if refine and result.verdict != Verdict.UNTRUSTED:
-                result = refiner.refine(result, solver)
+                result = refiner.refine(result, points[source], points[target], solver)
             edges.append(
                 _edge_of(source, target, result, refiner, points[source].mean(axis=0), tolerance)
             )

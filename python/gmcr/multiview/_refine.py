@@ -6,14 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from .._clouds import with_pose
+from .._clouds import voxel_grid, with_pose
 from .._gmcr import CloudResult, Options
 from ..io._cloud import import_extra
 from ._motion import Matrix, move
 
-# As `gmcr register` does: distances in voxels of the target, catching first, then fitting closely.
-_DISTANCES = (2.0, 1.0)
-_NORMAL_RADIUS = 2.5
+# ICP runs on cells of half a voxel: surfaces that overlap little hold a pose no closer than that.
+_CELL = 0.5  # voxels of the target, as all lengths here
+_DISTANCES = (2.0, 1.0, 0.5)  # catching first, then fitting closely
+_NORMAL_RADIUS = 1.5
 _NORMAL_NEIGHBORS = 30
 _MAX_ITERATIONS = 30
 # A pose that loses more than this is another pose, not a finer one.
@@ -27,23 +28,23 @@ class Refiner:
     def __init__(self) -> None:
         self._open3d = import_extra("open3d", "multiview", "multiview")
 
-    def refine(self, result: CloudResult, options: Options) -> CloudResult:
-        """The result at the pose that point-to-plane ICP on the voxels leads to.
+    def refine(
+        self, result: CloudResult, source: Matrix, target: Matrix, options: Options
+    ) -> CloudResult:
+        """The result at the pose that point-to-plane ICP between its clouds leads to.
 
         It stays as it is where that pose would lose overlap or inliers.
         """
         registration = self._open3d.pipelines.registration
         voxel = result.matches.target_voxel_size
-        source = self._cloud(result.matches.source_voxels)
-        target = self._cloud(result.matches.target_voxels)
-        target.estimate_normals(
+        cells = [self._cloud(voxel_grid(cloud, _CELL * voxel)) for cloud in (source, target)]
+        cells[1].estimate_normals(
             self._open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBORS)
         )
         pose = result.matrix()
         for distance in _DISTANCES:
             pose = registration.registration_icp(
-                source,
-                target,
+                *cells,
                 distance * voxel,
                 pose,
                 registration.TransformationEstimationPointToPlane(),
