@@ -66,7 +66,7 @@ def draw(views: list[str], scans: list[Points], result: MultiviewResult, path: P
         if pose is not None
     ]
     figure, (before, after, graph) = plt.subplots(
-        1, 3, figsize=(15, 5.6), gridspec_kw={"width_ratios": [1, 1, 0.8]}
+        1, 3, figsize=(15, 5.2), gridspec_kw={"width_ratios": [1, 1, 0.8]}
     )
     draw_clouds(before, scans)
     before.set_title(f"{len(scans)} scans, each in its own frame", loc="left")
@@ -85,7 +85,7 @@ def draw_clouds(axes: Axes, clouds: list[Points]) -> None:
     )
     order = np.argsort(points[:, 2])  # the camera looks along -z
     axes.scatter(*points[order, :2].T, s=1.2, c=colours[order], linewidths=0, rasterized=True)
-    axes.set_aspect("equal")
+    axes.set_aspect("equal", adjustable="datalim")
     axes.axis("off")
 
 
@@ -116,9 +116,11 @@ def draw_pairs(axes: Axes, views: list[str], result: MultiviewResult) -> None:
     for view, place in zip(views, places):
         axes.text(*place, view, ha="center", va="center", color="white", fontweight="bold")
     num_accepted = sum(judged.is_accepted for judged in result.edges)
-    axes.set_title(f"{num_accepted} of {len(result.edges)} pairs agree (solid)", loc="left")
-    axes.set_aspect("equal")
-    axes.margins(0.15)
+    axes.set_title(
+        f"{num_accepted} of {len(result.edges)} pairs agree; the dashed contradict them", loc="left"
+    )
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set(xlim=(-1.4, 1.4), ylim=(-1.3, 1.3))
     axes.axis("off")
 
 
