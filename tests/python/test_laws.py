@@ -41,7 +41,10 @@ def test_moving_the_target_moves_the_result(seed, other):
     result = solve(problem.source, problem.target)
     moved = solve(problem.source, motion.apply(problem.target))
     assert np.array_equal(moved.inliers, result.inliers)
-    assert np.allclose(moved.matrix(), motion.matrix() @ result.matrix(), atol=1e-6)
+    # where least squares leaves an inlier outside, the fit that keeps it in follows the axes
+    expected = motion @ result.target_from_source
+    errors = gmcr.evaluate(moved, expected, problem.source)
+    assert errors.mean_point_error < 0.3 * problem.noise_bound
 
 
 @given(seeds)

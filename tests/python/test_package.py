@@ -87,6 +87,19 @@ def test_python_m_gmcr_solves_a_file(problem, tmp_path, capsys, suffix):
     assert main(["solve", str(tmp_path / "none.npy"), "--noise-bound", "1"]) == 3
 
 
+def test_the_wheel_holds_its_extension_and_stub_alone():
+    files = {str(path) for path in importlib.metadata.files("gmcr")}
+    assert "gmcr/_gmcr.pyi" in files
+    assert any(name.startswith("gmcr/_gmcr.") and name.endswith(".so") for name in files)
+    assert not [name for name in files if name.startswith(("lib", "include", "bin"))]
+
+
+def test_nothing_follows_the_last_line_of_a_program():
+    code = "import gmcr; kept = gmcr.Options(progress=print); gmcr.kept = kept; print('end')"
+    done = run("-c", code)
+    assert (done.stdout, done.stderr) == ("end\n", "")
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_runs(path, clouds, tmp_path):
     arguments = []
