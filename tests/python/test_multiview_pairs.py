@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import re
+import subprocess
+import sys
+from pathlib import Path
+
 import gmcr
 import numpy as np
 import numpy.typing as npt
 import pytest
+from gmcr.io import read_points
 from gmcr.multiview import register_pairs, register_scans
 
 pytest.importorskip("open3d")
 
 Matrix = npt.NDArray[np.float64]
+EXAMPLE = Path(__file__).parents[2] / "examples/python/05_multiview.py"
 
 
 @pytest.fixture(scope="module")
@@ -116,3 +123,21 @@ def test_broken_contracts_are_value_errors_before_any_work(
 def test_without_pairs_each_scan_is_alone() -> None:
     result = register_scans([np.zeros((1, 3)), np.ones((2, 3))], pairs=[])
     assert [component.scans for component in result.components] == [(0,), (1,)]
+
+
+def test_the_example_puts_four_real_scans_together(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    done = subprocess.run(
+        [sys.executable, str(EXAMPLE), "--output", str(tmp_path)],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    if done.stdout.startswith("skipped"):
+        pytest.skip(done.stdout)
+    errors = re.findall(r"([\d.]+) deg, ([\d.]+) mm off the truth", done.stdout)
+    assert len(errors) == 2
+    assert all(float(degrees) < 0.5 and float(mm) < 1 for degrees, mm in errors)
+    assert (tmp_path / "bunny.png").stat().st_size > 100_000
+    merged = read_points(tmp_path / "bunny.ply")
+    np.testing.assert_allclose(np.ptp(merged, axis=0), [0.156, 0.154, 0.121], atol=0.005)

@@ -25,7 +25,8 @@ def rms_motion(transforms: Matrix, spread: Matrix) -> Matrix:
     """
     turn, shift = transforms[..., :3, :3] - np.eye(3), transforms[..., :3, 3]
     by_turn = np.einsum("...ij,jk,...ik->...", turn, spread, turn)
-    return np.sqrt(np.maximum(by_turn, 0) + (shift**2).sum(axis=-1))
+    squared: Matrix = np.maximum(by_turn, 0) + (shift**2).sum(axis=-1)
+    return np.sqrt(squared)
 
 
 def move(points: Matrix, pose: Matrix) -> Matrix:

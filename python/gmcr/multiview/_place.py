@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -145,7 +146,7 @@ def _disagreement(
 
 def _limit(edge: Edge, accepted: Sequence[Edge]) -> float:
     """What the edge may disagree by: the errors of all edges of the shortest cycle add up."""
-    return edge.tolerance * np.sqrt(1 + (length_around(edge, accepted) or 0))
+    return edge.tolerance * math.sqrt(1 + (length_around(edge, accepted) or 0))
 
 
 def _agrees(
