@@ -245,6 +245,7 @@ def test_merged_scans_are_averaged_in_voxels_and_those_without_a_pose_left_out()
         (lambda scene: place_scans([], []), "at least one"),
         (lambda scene: place_scans([np.empty((0, 3))], []), r"scans\[0\]"),
         (lambda scene: place_scans([np.full((2, 3), np.nan)], []), r"scans\[0\]"),
+        (lambda scene: point_information(scene.scans[0], 0), "sigma: 0"),
         (lambda scene: Edge(0, 1, np.eye(3), 1, 1), r"\(3, 3\)"),
         (lambda scene: Edge(0, 1, np.eye(4), 0, 1), "weight and tolerance: 0 and 1"),
         (lambda scene: Edge(0, 1, np.eye(4), 1, -1), "weight and tolerance: 1 and -1"),

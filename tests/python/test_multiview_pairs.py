@@ -102,6 +102,15 @@ def test_alternatives_are_edges_of_their_own(scene: tuple[list[Matrix], list[Mat
     assert not np.allclose(edges[0].target_from_source, edges[1].target_from_source)
 
 
+def test_copies_of_a_scan_meet_exactly(scene: tuple[list[Matrix], list[Matrix]]) -> None:
+    scans, _ = scene
+    frontend = gmcr.FrontendOptions(voxel_size=0.06, max_attempts=1)
+    result = register_scans([scans[0]] * 3, frontend=frontend, num_threads=2)
+    assert all(judged.is_confirmed for judged in result.edges)
+    for pose in result.poses:
+        np.testing.assert_allclose(pose, np.eye(4), atol=1e-6)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize(
     ("pairs", "keywords", "match"),
     [
@@ -118,6 +127,11 @@ def test_broken_contracts_are_value_errors_before_any_work(
 ) -> None:
     with pytest.raises(ValueError, match=match):
         register_pairs([np.zeros((1, 3))] * 2, pairs, **keywords)  # type: ignore[arg-type]
+
+
+def test_scans_without_points_are_value_errors_before_any_work() -> None:
+    with pytest.raises(ValueError, match=r"scans\[1\]: expected finite points"):
+        register_scans([np.zeros((5, 3)), np.empty((0, 3))])
 
 
 def test_without_pairs_each_scan_is_alone() -> None:

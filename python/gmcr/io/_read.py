@@ -78,7 +78,7 @@ def read_cloud(path: PathLike, *, topic: str | None = None, index: int = 0) -> C
 
     Examples
     --------
-    >>> cloud = gmcr.io.read_cloud("drive.mcap", topic="/lidar/points", index=10)
+    >>> cloud = read_cloud("drive.mcap", topic="/lidar/points", index=10)
     """
     path = Path(path)
     if index < 0:

@@ -75,7 +75,14 @@ def point_information(points: Matrix, sigma: float) -> Matrix:
     -------
     ndarray, shape (6, 6)
         As ``Edge.information``.
+
+    Raises
+    ------
+    ValueError
+        where ``sigma`` is not positive.
     """
+    if not sigma > 0:
+        raise ValueError(f"sigma: {sigma} is not positive")
     squares, (x, y, z) = points.T @ points, points.sum(axis=0)
     information = np.empty((6, 6))
     information[:3, :3] = np.trace(squares) * np.eye(3) - squares

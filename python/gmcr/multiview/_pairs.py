@@ -8,13 +8,16 @@ from typing import Any
 
 import numpy.typing as npt
 
-from .._arguments import as_options, as_points
+from .._arguments import as_options
 from .._clouds import register_clouds, with_pose
 from .._enums import ScaleMode, Verdict
 from .._gmcr import CloudResult, FrontendOptions, Options
 from ._edge import Edge, point_information
 from ._motion import Matrix
-from ._refine import Refiner
+from ._refine import overlap_of, refine_by_icp, require_open3d
+from ._scans import as_scans
+
+_LEAST_SIGMA = 1e-3  # voxels: copies of a scan meet exactly
 
 
 def register_pairs(
@@ -63,23 +66,21 @@ def register_pairs(
     -----
     O(number of pairs): one ``register_clouds`` each. Deterministic.
     """
-    points = [as_points(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
+    points = as_scans(scans)
     chosen = _check_pairs(_all_pairs(len(points)) if pairs is None else pairs, len(points))
     solver = as_options(Options, options, keywords)
     if solver.scale_mode != ScaleMode.KNOWN or solver.scale != 1:
         raise ValueError("options: scans of one scene have scale 1, known")
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: {tolerance} is not positive")
-    refiner = Refiner()
+    require_open3d()  # before the long work
     edges = []
     for source, target in chosen:
         best = register_clouds(points[source], points[target], frontend, solver)
         for result in _hypotheses(best, solver):
             if refine and result.verdict != Verdict.UNTRUSTED:
-                result = refiner.refine(result, points[source], points[target], solver)
-            edges.append(
-                _edge_of(source, target, result, refiner, points[source].mean(axis=0), tolerance)
-            )
+                result = refine_by_icp(result, points[source], points[target], solver)
+            edges.append(_edge_of(source, target, result, points[source].mean(axis=0), tolerance))
     return edges
 
 
@@ -111,14 +112,14 @@ def _edge_of(
     source: int,
     target: int,
     result: CloudResult,
-    refiner: Refiner,
     centroid: Matrix,
     tolerance: float | None,
 ) -> Edge:
     information = None
     if result.verdict != Verdict.UNTRUSTED:
-        overlap = refiner.overlap(result) - centroid
-        information = point_information(overlap, result.overlap_rmse)
+        overlap = overlap_of(result) - centroid
+        sigma = max(result.overlap_rmse, _LEAST_SIGMA * result.matches.target_voxel_size)
+        information = point_information(overlap, sigma)
     return Edge(
         source,
         target,

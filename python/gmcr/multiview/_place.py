@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from .._arguments import as_points
 from .._enums import Verdict
 from ._edge import Edge, point_information
 from ._forest import length_around, poses_along, spanning_forest
@@ -17,6 +16,7 @@ from ._groups import joining_edges
 from ._motion import Matrix, inverse, rms_motion, translation_by
 from ._pose_graph import optimise_poses
 from ._result import Component, JudgedEdge, MultiviewResult
+from ._scans import as_scans
 
 _MAX_ROUNDS = 10
 
@@ -53,8 +53,8 @@ def place_scans(scans: Sequence[npt.ArrayLike], edges: Sequence[Edge]) -> Multiv
     Deterministic. A pose is only as sure as its edges: what no cycle confirms is accepted where it
     is trusted, and ``JudgedEdge.is_confirmed`` says so.
     """
-    points = [as_points(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
-    _check(points, edges)
+    points = as_scans(scans)
+    _check(edges, len(points))
     centres = [translation_by(scan.mean(axis=0)) for scan in points]
     spreads = [np.cov(scan.T, bias=True) for scan in points]
     centred = [_centred(edge, centres, points) for edge in edges]
@@ -71,16 +71,11 @@ def place_scans(scans: Sequence[npt.ArrayLike], edges: Sequence[Edge]) -> Multiv
     )
 
 
-def _check(scans: Sequence[Matrix], edges: Sequence[Edge]) -> None:
-    if not scans:
-        raise ValueError("scans: expected at least one")
-    for index, scan in enumerate(scans):
-        if len(scan) == 0 or not np.isfinite(scan).all():
-            raise ValueError(f"scans[{index}]: expected finite points, at least one")
+def _check(edges: Sequence[Edge], num_scans: int) -> None:
     for index, edge in enumerate(edges):
-        if not (0 <= min(edge.source, edge.target) < max(edge.source, edge.target) < len(scans)):
+        if not (0 <= min(edge.source, edge.target) < max(edge.source, edge.target) < num_scans):
             raise ValueError(
-                f"edges[{index}]: {edge.source} -> {edge.target} are not two of {len(scans)} scans"
+                f"edges[{index}]: {edge.source} -> {edge.target} are not two of {num_scans} scans"
             )
 
 

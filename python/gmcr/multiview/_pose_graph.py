@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..io._cloud import import_extra
 from ._edge import Edge
 from ._motion import Matrix
+from ._refine import require_open3d
 
 # Relative, and absolute where residuals are in standard deviations; Open3D's 1e-6 stops early.
 _PRECISION = 1e-9
@@ -29,7 +29,7 @@ def optimise_poses(poses: Mapping[int, Matrix], edges: Sequence[Edge]) -> dict[i
     dict of int to ndarray, shape (4, 4)
         The pose of the first stays as it was.
     """
-    registration = import_extra("open3d", "multiview", "pose graph").pipelines.registration
+    registration = require_open3d().pipelines.registration
     scans = list(poses)
     graph = registration.PoseGraph()
     for pose in poses.values():

@@ -22,49 +22,51 @@ _LEAST_FITNESS_KEPT = 0.98
 _LEAST_INLIERS_KEPT = 0.8
 
 
-class Refiner:
-    """Open3D, imported once and before the long work."""
+def require_open3d() -> Any:
+    """Open3D; ImportError with the extra where it is absent."""
+    return import_extra("open3d", "multiview", "multiview")
 
-    def __init__(self) -> None:
-        self._open3d = import_extra("open3d", "multiview", "multiview")
 
-    def refine(
-        self, result: CloudResult, source: Matrix, target: Matrix, options: Options
-    ) -> CloudResult:
-        """The result at the pose that point-to-plane ICP between its clouds leads to.
+def refine_by_icp(
+    result: CloudResult, source: Matrix, target: Matrix, options: Options
+) -> CloudResult:
+    """The result at the pose that point-to-plane ICP between its clouds leads to.
 
-        It stays as it is where that pose would lose overlap or inliers.
-        """
-        registration = self._open3d.pipelines.registration
-        voxel = result.matches.target_voxel_size
-        cells = [self._cloud(voxel_grid(cloud, _CELL * voxel)) for cloud in (source, target)]
-        cells[1].estimate_normals(
-            self._open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBORS)
-        )
-        pose = result.matrix()
-        for distance in _DISTANCES:
-            pose = registration.registration_icp(
-                *cells,
-                distance * voxel,
-                pose,
-                registration.TransformationEstimationPointToPlane(),
-                registration.ICPConvergenceCriteria(max_iteration=_MAX_ITERATIONS),
-            ).transformation
-        refined = with_pose(result, pose, options)
-        keeps_inliers = len(refined.registration.inliers) >= max(
-            3, _LEAST_INLIERS_KEPT * len(result.registration.inliers)
-        )
-        keeps_overlap = refined.fitness >= _LEAST_FITNESS_KEPT * result.fitness
-        return refined if keeps_inliers and keeps_overlap else result
+    It stays as it is where that pose would lose overlap or inliers.
+    """
+    open3d = require_open3d()
+    registration = open3d.pipelines.registration
+    voxel = result.matches.target_voxel_size
+    cells = [_to_open3d(voxel_grid(cloud, _CELL * voxel)) for cloud in (source, target)]
+    cells[1].estimate_normals(
+        open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBORS)
+    )
+    pose = result.matrix()
+    for distance in _DISTANCES:
+        pose = registration.registration_icp(
+            *cells,
+            distance * voxel,
+            pose,
+            registration.TransformationEstimationPointToPlane(),
+            registration.ICPConvergenceCriteria(max_iteration=_MAX_ITERATIONS),
+        ).transformation
+    refined = with_pose(result, pose, options)
+    keeps_inliers = len(refined.registration.inliers) >= max(
+        3, _LEAST_INLIERS_KEPT * len(result.registration.inliers)
+    )
+    keeps_overlap = refined.fitness >= _LEAST_FITNESS_KEPT * result.fitness
+    return refined if keeps_inliers and keeps_overlap else result
 
-    def overlap(self, result: CloudResult) -> Matrix:
-        """The voxels of the source that meet the target, (n, 3), source frame, metres."""
-        moved = move(result.matches.source_voxels, result.matrix())
-        distances = self._cloud(moved).compute_point_cloud_distance(
-            self._cloud(result.matches.target_voxels)
-        )
-        meets = np.asarray(distances) <= result.matches.target_voxel_size
-        return result.matches.source_voxels[meets]
 
-    def _cloud(self, points: Matrix) -> Any:
-        return self._open3d.geometry.PointCloud(self._open3d.utility.Vector3dVector(points.copy()))
+def overlap_of(result: CloudResult) -> Matrix:
+    """The voxels of the source that meet the target, (n, 3), source frame, metres."""
+    moved = move(result.matches.source_voxels, result.matrix())
+    target = _to_open3d(result.matches.target_voxels)
+    distances = _to_open3d(moved).compute_point_cloud_distance(target)
+    meets = np.asarray(distances) <= result.matches.target_voxel_size
+    return result.matches.source_voxels[meets]
+
+
+def _to_open3d(points: Matrix) -> Any:
+    open3d = require_open3d()
+    return open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points.copy()))

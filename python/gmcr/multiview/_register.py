@@ -47,7 +47,7 @@ def register_scans(
 
     Examples
     --------
-    >>> result = gmcr.multiview.register_scans([front, left, back, right])
+    >>> result = register_scans([front, left, back, right])
     >>> result.poses[2]  # frame of the first scan from that of the third
     """
     edges = register_pairs(
