@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 from ._edge import Edge
 from ._motion import Matrix, inverse
@@ -46,21 +47,30 @@ def poses_along(num_scans: int, forest: Sequence[Edge]) -> list[dict[int, Matrix
     return groups
 
 
-def path_length(start: int, end: int, edges: Iterable[Edge]) -> int | None:
-    """Least number of edges that lead from one scan to another; None where none do."""
-    steps = [(edge.source, edge.target) for edge in edges]
+def path_lengths(num_scans: int, edges: Iterable[Edge]) -> npt.NDArray[np.int64]:
+    """Least number of edges from each scan to each other, (N, N); 0 where none lead there."""
+    adjacency = np.zeros((num_scans, num_scans), dtype=np.int64)
+    for edge in edges:
+        adjacency[edge.source, edge.target] = adjacency[edge.target, edge.source] = 1
+    lengths = np.zeros_like(adjacency)
+    frontier = reached = np.eye(num_scans, dtype=np.bool_)
+    for length in range(1, num_scans):
+        frontier = (frontier @ adjacency > 0) & ~reached
+        reached = reached | frontier
+        lengths[frontier] = length
+    return lengths
+
+
+def length_around(edge: Edge, edges: Iterable[Edge]) -> int | None:
+    """Least number of the other edges that lead from its source to its target; None: none do."""
+    steps = [(other.source, other.target) for other in edges if other is not edge]
     steps += [(target, source) for source, target in steps]
-    reached = frontier = {start}
+    reached = frontier = {edge.source}
     length = 0
-    while end not in reached:
+    while edge.target not in reached:
         length += 1
         frontier = {to for at, to in steps if at in frontier and to not in reached}
         if not frontier:
             return None
         reached = reached | frontier
     return length
-
-
-def length_around(edge: Edge, edges: Iterable[Edge]) -> int | None:
-    """Least number of the other edges that lead from its source to its target, or None."""
-    return path_length(edge.source, edge.target, [other for other in edges if other is not edge])

@@ -5,6 +5,7 @@ Pairwise consistent measurements (Mangelson et al. 2018), for scans without an o
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ import numpy.typing as npt
 from .._cliques import max_weight_clique
 from .._enums import Verdict
 from ._edge import Edge
-from ._forest import path_length
+from ._forest import path_lengths
 from ._motion import Matrix, inverse, rms_motion
 
 _MAX_CLIQUE_WORK = 1 << 32  # a second or two; it binds for thousands of edges between two groups
@@ -65,9 +66,10 @@ def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge
     joined: list[Edge] = []
     links: dict[tuple[int, int], _Link] = {}
     while True:
+        lengths = path_lengths(len(spreads), joined)
         for pair, between in _edges_between(edges, groups).items():
             if pair not in links:
-                is_compatible = _compatibility(between, groups, pair, joined, spreads)
+                is_compatible = _compatibility(between, groups, pair, lengths, spreads)
                 links[pair] = _strongest(between, [strengths[e] for e in between], is_compatible)
         usable = {pair: link for pair, link in links.items() if link.is_usable}
         if not usable:
@@ -107,7 +109,7 @@ def _compatibility(
     edges: Sequence[Edge],
     groups: Mapping[int, Mapping[int, Matrix]],
     pair: tuple[int, int],
-    joined: Sequence[Edge],
+    lengths: npt.NDArray[np.int64],
     spreads: Sequence[Matrix],
 ) -> npt.NDArray[np.bool_]:
     """Which edges between the two groups agree on the pose of one in the frame of the other."""
@@ -115,7 +117,7 @@ def _compatibility(
     is_compatible = np.zeros((len(edges), len(edges)), dtype=np.bool_)
     for i, j in combinations(range(len(edges)), 2):
         error = _motion_of(edges[i], groups, pair, poses[i], poses[j], spreads)
-        limit = _cycle_limit(edges[i], edges[j], groups, pair, joined)
+        limit = _cycle_limit(edges[i], edges[j], groups, pair, lengths)
         is_compatible[i, j] = is_compatible[j, i] = error <= limit
     return is_compatible
 
@@ -166,12 +168,12 @@ def _cycle_limit(
     other: Edge,
     groups: Mapping[int, Mapping[int, Matrix]],
     pair: tuple[int, int],
-    joined: Sequence[Edge],
+    lengths: npt.NDArray[np.int64],
 ) -> float:
     """Errors of the edges of the cycle add up like independent ones of the larger tolerance."""
     ends = zip(_ends(edge, groups, pair), _ends(other, groups, pair))
-    lengths = (path_length(start, end, joined) or 0 for start, end in ends)
-    return max(edge.tolerance, other.tolerance) * float(np.sqrt(2 + sum(lengths)))
+    num_edges = 2 + sum(int(lengths[start, end]) for start, end in ends)
+    return max(edge.tolerance, other.tolerance) * math.sqrt(num_edges)
 
 
 def _join(groups: dict[int, dict[int, Matrix]], pair: tuple[int, int], edge: Edge) -> None:
