@@ -130,6 +130,16 @@ def test_two_wrong_doubtful_edges_that_agree_do_not_outweigh_a_trusted_one() -> 
     scene.assert_near(result, range(3), 5 * NOISE)
 
 
+def test_two_groups_are_joined_by_the_edges_that_agree_not_by_the_heaviest() -> None:
+    scene = Scene(6)
+    inside = [scene.edge(j, i, 50) for i, j in [(0, 1), (0, 2), (1, 2), (3, 4), (3, 5), (4, 5)]]
+    right = [scene.edge(3, 0, weight=1), scene.edge(4, 1, weight=1)]
+    wrong = [scene.wrong_edge(5, 2, weight=90), scene.wrong_edge(0, 5, weight=80)]
+    result = scene.place(inside + wrong + right)
+    assert [judged.is_accepted for judged in result.edges] == [True] * 6 + [False] * 2 + [True] * 2
+    scene.assert_near(result, range(6), 5 * NOISE)
+
+
 def test_a_doubtful_edge_counts_only_where_a_cycle_confirms_it() -> None:
     scene = Scene(3)
     doubtful = gmcr.Verdict.DOUBTFUL

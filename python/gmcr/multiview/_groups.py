@@ -30,10 +30,6 @@ class _Link:
     edges: tuple[Edge, ...]
     strength: float
 
-    @property
-    def is_usable(self) -> bool:
-        return len(self.edges) > 1 or self.edges[0].verdict == Verdict.TRUSTED
-
 
 def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge]:
     """Edges that join the scans to as large groups as they consistently can, best first.
@@ -41,8 +37,7 @@ def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge
     At first each scan is a group. Between two groups, two edges are compatible where the cycle that
     they form with the poses within the groups closes. The clique of compatible edges with the most
     trusted ones, then with the most that close a triangle, then of the greatest weight, is the link
-    of the two. The groups with the best link are joined, and so on. A link without a trusted edge
-    needs two.
+    of the two. The groups with the best link are joined, and so on.
 
     Parameters
     ----------
@@ -71,12 +66,11 @@ def joining_edges(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> list[Edge
             if pair not in links:
                 is_compatible = _compatibility(between, groups, pair, lengths, spreads)
                 links[pair] = _strongest(between, [strengths[e] for e in between], is_compatible)
-        usable = {pair: link for pair, link in links.items() if link.is_usable}
-        if not usable:
+        if not links:
             return joined
-        pair = max(usable, key=lambda each: usable[each].strength)
-        joined += usable[pair].edges
-        _join(groups, pair, usable[pair].edges[0])
+        pair = max(links, key=lambda each: links[each].strength)
+        joined += links[pair].edges
+        _join(groups, pair, links[pair].edges[0])
         links = {each: link for each, link in links.items() if not set(each) & set(pair)}
 
 
@@ -177,11 +171,10 @@ def _cycle_limit(
 
 
 def _join(groups: dict[int, dict[int, Matrix]], pair: tuple[int, int], edge: Edge) -> None:
-    """Replaces two groups by one, as the edge says. A new number, so that no link is mistaken."""
+    """Moves the second group into the first, as the edge says."""
     first_from_second = _pose_between(edge, groups, pair)
-    first, second = groups.pop(pair[0]), groups.pop(pair[1])
-    moved = {scan: first_from_second @ pose for scan, pose in second.items()}
-    groups[max([*groups, *pair]) + 1] = {**first, **moved}
+    second = groups.pop(pair[1])
+    groups[pair[0]].update({scan: first_from_second @ pose for scan, pose in second.items()})
 
 
 def _edges_of_closing_triangles(edges: Sequence[Edge], spreads: Sequence[Matrix]) -> set[Edge]:
