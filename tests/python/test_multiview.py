@@ -12,6 +12,8 @@ import numpy.typing as npt
 import pytest
 from gmcr.multiview import Edge, MultiviewResult, merge_scans, place_scans, point_information
 
+pytest.importorskip("open3d")
+
 Matrix = npt.NDArray[np.float64]
 TOLERANCE = 0.05
 NOISE = 0.002
