@@ -8,9 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from .._enums import Verdict
-from .._gmcr import CloudResult
+from .._gmcr import CloudResult, Similarity
 
 Matrix = npt.NDArray[np.float64]
+
+_RIGID = 1e-3  # as far from 1 as from_matrix lets rotations be from orthonormal
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,9 +52,8 @@ class Edge:
     result: CloudResult | None = None
 
     def __post_init__(self) -> None:
-        if np.shape(self.target_from_source) != (4, 4):
-            shape = np.shape(self.target_from_source)
-            raise ValueError(f"target_from_source: expected shape (4, 4), got {shape}")
+        if not abs(Similarity.from_matrix(self.target_from_source).scale - 1) <= _RIGID:
+            raise ValueError("target_from_source: expected a rigid pose, but its scale is not 1")
         if self.verdict != Verdict.UNTRUSTED and not (self.weight > 0 and self.tolerance > 0):
             raise ValueError(
                 f"weight and tolerance: {self.weight} and {self.tolerance} are not both positive"
