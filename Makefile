@@ -1,4 +1,8 @@
 # The user's entry points. Each does the set-up that it needs and is quick when nothing changed.
+# The compiler cache serves the package and the release build alike.
+export CCACHE_BASEDIR := $(CURDIR)
+export CCACHE_NOHASHDIR := 1
+
 .PHONY: build demo test bench bench-paper clean format
 
 build: build/.packages
@@ -23,7 +27,6 @@ bench: build
 
 bench-paper: build/.packages
 	@tools/make_venv
-	@tools/install_extra bench
 	@bench/paper/run
 
 format:
