@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -25,7 +26,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the tool; 0 pose found, 1 no pose, 2 bad usage or input, 3 file cannot be read."""
     given = sys.argv[1:] if arguments is None else list(arguments)
     if TOOL.exists():
-        return subprocess.call([str(TOOL), *given])
+        # reports are drawn by the Python that runs this
+        environment = {"GMCR_PYTHON": sys.executable, **os.environ}
+        return subprocess.call([str(TOOL), *given], env=environment)
     options = _parser().parse_args(given)
     try:
         return _info() if options.command == "info" else _solve(options)

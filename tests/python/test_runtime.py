@@ -22,7 +22,7 @@ def search():
                                   scale_mode="estimated", time_limit=60)
 """,
     "one long certificate": """
-problem = gmcr.make_synthetic("structured", num_correspondences=90, outlier_rate=0.95, seed=2)
+problem = gmcr.make_synthetic(kind="structured", num_correspondences=90, outlier_rate=0.95, seed=2)
 def search():
     gmcr.register_correspondences(problem.source, problem.target, noise_bound=0.07,
                                   scale_mode="estimated", certify=True, time_limit=60)
