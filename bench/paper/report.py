@@ -21,6 +21,7 @@ from paper.scenarios import EXPERIMENTS
 from paper.tables import TABLES
 
 HEADING = "## The paper's experiments"
+BEGIN, END = "<!-- begin paper -->", "<!-- end paper -->"  # bench/report.py keeps what is between
 DISCUSSION = Path(__file__).with_name("discussion.md")
 
 INTRODUCTION = """\
@@ -50,7 +51,7 @@ def compose(out: Path, figures: Path, base: Path) -> str:
     for name, group in records.items():
         experiment = EXPERIMENTS[name]
         caption, draw = FIGURES[name]
-        path = figures / f"paper_{name}.png"
+        path = figures / f"experiment_{name}.png"
         save(draw(group), path)
         text += f"### {experiment.title}\n\n{experiment.protocol}\n\n"
         text += f"![{caption}]({relpath(path, base)})\n\n{caption}. {size_of(group)}\n\n"
@@ -98,18 +99,15 @@ def size_of(records: Sequence[dict]) -> str:
 
 
 def replace_section(document: str, section: str) -> str:
-    """The document with its section of the same heading replaced, or with a new one at its end."""
-    lines = document.splitlines()
-    heading = section.splitlines()[0]
-    if heading not in lines:
-        return document.rstrip("\n") + "\n\n" + section
-    start = lines.index(heading)
-    ends = [k for k in range(start + 1, len(lines)) if lines[k].startswith("## ")]
-    before, after = lines[:start], lines[ends[0] :] if ends else []
-    parts = ["\n".join(before), section.rstrip("\n")]
-    if after:
-        parts += ["", "\n".join(after)]
-    return "\n".join(parts) + "\n"
+    """The document with this section between its markers, which are added where there are none."""
+    block = f"{BEGIN}\n{section.strip()}\n{END}"
+    before, begin, rest = document.partition(BEGIN)
+    if not begin:
+        return f"{document.rstrip()}\n\n{block}\n"
+    _, end, after = rest.partition(END)
+    if not end:
+        raise ValueError(f"'{BEGIN}' without '{END}'")
+    return before + block + after
 
 
 def main() -> int:

@@ -10,7 +10,7 @@ from paper.losses import losses
 from paper.methods.registry import Outcome
 from paper.problem import easy_problem
 from paper.records import RecordFile, key_of, read_records
-from paper.report import HEADING, compose, replace_section
+from paper.report import BEGIN, END, HEADING, compose, replace_section
 from paper.scenarios import EXPERIMENTS, is_success
 from paper.scenarios.registry import Case, Experiment
 from paper.tables import TABLES
@@ -164,15 +164,18 @@ def test_the_section_is_composed_from_a_folder_of_records(tmp_path):
         records.append(record)
     text = compose(tmp_path, tmp_path / "images", tmp_path)
     assert text.startswith(HEADING)
-    assert "![" in text and "(images/paper_lidar.png)" in text
+    assert "![" in text and "(images/experiment_lidar.png)" in text
     assert "2026-01-02" in text and "AVX2" in text
-    assert (tmp_path / "images" / "paper_lidar.png").exists()
+    assert (tmp_path / "images" / "experiment_lidar.png").exists()
 
 
 def test_a_section_is_replaced_where_it_stands_and_added_where_it_is_missing():
     section = f"{HEADING}\n\nnew\n"
-    old = f"# Benchmarks\n\ntext\n\n{HEADING}\n\nold\n\n### sub\n\nmore\n\n## Next\n\nrest\n"
+    block = f"{BEGIN}\n{section}{END}"
+    old = f"# Benchmarks\n\ntext\n\n{BEGIN}\nold\n\n## sub\n{END}\n\n## Next\n"
     replaced = replace_section(old, section)
-    assert replaced == f"# Benchmarks\n\ntext\n\n{HEADING}\n\nnew\n\n## Next\n\nrest\n"
+    assert replaced == f"# Benchmarks\n\ntext\n\n{block}\n\n## Next\n"
     assert replace_section(replaced, section) == replaced
-    assert replace_section("# Benchmarks\n", section) == f"# Benchmarks\n\n{section}"
+    assert replace_section("# Benchmarks\n", section) == f"# Benchmarks\n\n{block}\n"
+    with pytest.raises(ValueError, match="without"):
+        replace_section(f"text\n{BEGIN}\n", section)
