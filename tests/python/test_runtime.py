@@ -13,6 +13,12 @@ import gmcr
 import numpy as np
 import pytest
 
+PREAMBLE = """
+import signal
+import gmcr
+import numpy as np
+signal.signal(signal.SIGINT, signal.default_int_handler)  # background jobs of a shell ignore it
+"""
 SEARCHES = {
     "many short searches": """
 problem = gmcr.make_synthetic(num_correspondences=6000, outlier_rate=0.995, seed=1,
@@ -93,7 +99,7 @@ def test_two_threads_get_the_results_of_one(problem):
 
 @pytest.mark.parametrize("search", SEARCHES)
 def test_ctrl_c_stops(search):
-    program = "import gmcr\nimport numpy as np\n" + SEARCHES[search] + UNTIL_INTERRUPTED
+    program = PREAMBLE + SEARCHES[search] + UNTIL_INTERRUPTED
     process = subprocess.Popen(
         [sys.executable, "-c", program],
         stdout=subprocess.PIPE,
