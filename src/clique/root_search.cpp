@@ -16,7 +16,7 @@ constexpr Index kMaxWordsOfActive = Index{1} << 25;  // 256 MiB for their neighb
 constexpr Index kFirstWorkPerRound = Index{1} << 20, kMaxWorkPerRound = Index{1} << 24;
 constexpr Index kMinNodesPerRound = 16;
 // Rounds of less work than this take less time than starting threads.
-constexpr std::uint64_t kMinWorkForThreads = std::uint64_t{1} << 21;
+constexpr std::uint64_t kMinWorkForThreads = std::uint64_t{1} << 19;
 
 // Swaps improve the clique of a graph this dense in about a millisecond, which saves a part of a
 // search that takes longer.
