@@ -55,11 +55,12 @@ def test_a_record_tells_input_machine_versions_and_errors(tmp_path):
 
 def test_a_method_that_is_not_there_is_skipped_with_its_reason(tmp_path, capsys):
     teaser = running.METHODS["teaser++"]
-    if teaser.unavailable_reason() is None:
+    reason = teaser.unavailable_reason()
+    if reason is None:
         pytest.skip("TEASER++ is installed")
     with running.Runner(tmp_path, ["teaser++"], 5.0):
         pass
-    assert "skipped: teaser++: teaserpp_python" in capsys.readouterr().err
+    assert f"skipped: teaser++: {reason}" in capsys.readouterr().err
     assert "teaserpp_python" in json.loads((tmp_path / running.SKIPPED).read_text())["teaser++"]
 
 
