@@ -124,7 +124,7 @@ TEST(CliqueLimits, TimeLimitEndsTheColouringOfALargeNearlyCompleteGraph) {
   const auto start = std::chrono::steady_clock::now();
   const CliqueResult result = max_clique(graph, options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(elapsed.count(), 2.0);
+  EXPECT_LT(elapsed.count(), 5.0);
   EXPECT_TRUE(test::is_ascending_clique(graph, result.vertices));
   EXPECT_GE(result.upper_bound, static_cast<Index>(result.vertices.size()));
   EXPECT_LT(result.upper_bound, graph.num_vertices());

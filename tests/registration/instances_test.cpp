@@ -199,13 +199,13 @@ TEST(RegisterInstances, ShareTheTime) {
   Options options;
   options.noise_bound = problem.noise_bound;
   options.scale_mode = ScaleMode::Estimated;
-  options.budget.time = 0.2;
+  options.budget.time = 0.5;
   const auto begin = std::chrono::steady_clock::now();
   const auto found = register_instances(problem.source, problem.target, options,
                                         {.max_instances = 8, .min_inliers = 3, .min_share = 0});
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   EXPECT_LT(found.size(), 8u);
-  EXPECT_LT(wall.count(), 0.8);
+  EXPECT_LT(wall.count(), 2);  // each with its own 0.5 s would take 4
 }
 
 TEST(RegisterInstances, EndsWhenAllMatchesAreUsedUp) {
