@@ -25,7 +25,9 @@ def main():
     )
     parser.add_argument("old", type=Path)
     parser.add_argument("new", type=Path)
-    parser.add_argument("--max-slowdown", type=float, default=1.1, help="new / old that is accepted (default: 1.1)")
+    parser.add_argument(
+        "--max-slowdown", type=float, default=1.1, help="new / old that is accepted (default: 1.1)"
+    )
     parser.add_argument("--metric", choices=["cpu_time", "real_time"], default="cpu_time")
     arguments = parser.parse_args()
     try:

@@ -36,7 +36,7 @@ def loss_rows(experiment: str, records: Sequence[dict]) -> list[list[str]]:
         ours = of_method(group, OURS)
         if not ours:
             continue
-        place = ", ".join(f"{field} {value}" for field, value in zip(fields, values))
+        place = ", ".join(f"{field} {value}" for field, value in zip(fields, values, strict=True))
         for method in methods_of(group, NO_RIVALS):
             theirs = of_method(group, method)
             cells = _compare(ours, theirs)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -62,9 +63,8 @@ def draw(views: list[str], scans: list[Points], result: MultiviewResult, path: P
 
     plt.switch_backend("agg")
     moved = [
-        scan @ pose[:3, :3].T + pose[:3, 3]
-        for scan, pose in zip(scans, result.poses)
-        if pose is not None
+        None if pose is None else scan @ pose[:3, :3].T + pose[:3, 3]
+        for scan, pose in zip(scans, result.poses, strict=True)
     ]
     figure, (before, after, graph) = plt.subplots(
         1, 3, figsize=(15, 5.2), gridspec_kw={"width_ratios": [1, 1, 0.8]}
@@ -78,18 +78,21 @@ def draw(views: list[str], scans: list[Points], result: MultiviewResult, path: P
     figure.savefig(path, dpi=130)
 
 
-def draw_clouds(axes: Any, clouds: list[Points]) -> None:
+def draw_clouds(axes: Any, clouds: Sequence[Points | None]) -> None:
     """Shaded points from the front, near ones over far ones, coloured by scan."""
     from matplotlib.colors import to_rgb  # type: ignore[import-not-found, unused-ignore]
 
-    points = np.concatenate(clouds)
-    colours = np.concatenate(
-        [np.outer(shades(cloud), to_rgb(colour)) for cloud, colour in zip(clouds, COLOURS)]
-    )
+    placed = [(cloud, colour_of(i)) for i, cloud in enumerate(clouds) if cloud is not None]
+    points = np.concatenate([cloud for cloud, _ in placed])
+    colours = np.concatenate([np.outer(shades(cloud), to_rgb(colour)) for cloud, colour in placed])
     order = np.argsort(points[:, 2])  # the camera looks along -z
     axes.scatter(*points[order, :2].T, s=1.2, c=colours[order], linewidths=0, rasterized=True)
     axes.set_aspect("equal", adjustable="datalim")
     axes.axis("off")
+
+
+def colour_of(scan: int) -> str:
+    return COLOURS[scan % len(COLOURS)]
 
 
 def shades(points: Points) -> npt.NDArray[np.float64]:
@@ -115,8 +118,8 @@ def draw_pairs(axes: Any, views: list[str], result: MultiviewResult) -> None:
             axes.plot(*ends, color="#333333", linewidth=2.5, zorder=1)
         else:
             axes.plot(*ends, color="#cc3311", linewidth=1.5, linestyle=(0, (3, 3)), zorder=0)
-    axes.scatter(*places.T, s=1100, c=COLOURS[: len(views)], zorder=2)
-    for view, place in zip(views, places):
+    axes.scatter(*places.T, s=1100, c=[colour_of(scan) for scan in range(len(views))], zorder=2)
+    for view, place in zip(views, places, strict=True):
         axes.text(*place, view, ha="center", va="center", color="white", fontweight="bold")
     num_accepted = sum(judged.is_accepted for judged in result.edges)
     axes.set_title(

@@ -18,7 +18,7 @@ import gmcr
 
 TOOL = Path(__file__).parent / "bin" / "gmcr"
 EPILOG = """The whole tool (register, match, clique, synth, eval) needs Open3D's
-C++ library when the package is built:
+C++ library where the package is built, and is then part of it:
   pip install . --config-settings=cmake.define.GMCR_BUILD_APPS=ON"""
 
 

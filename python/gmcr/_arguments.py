@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, TypeVar, Union
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ class HasPose(Protocol):
     def target_from_source(self) -> Similarity: ...
 
 
-PoseLike = Union[Similarity, HasPose, npt.ArrayLike]
+PoseLike = Similarity | HasPose | npt.ArrayLike
 T = TypeVar("T")
 
 

@@ -192,6 +192,7 @@ def test_pcd_with_fields_of_several_values_gives_its_points(
         ("FIELDS a\nSIZE 4\nTYPE F\nPOINTS 0\nDATA binary\n", "no x, y and z"),
         ("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 0\nDATA zipped\n", "zipped"),
         ("FIELDS x y z\nSIZE 4 4 4\nTYPE F F Q\nPOINTS 0\nDATA binary\n", "Q"),
+        ("FIELDS x y z\nSIZE 4 4\nTYPE F F F\nPOINTS 0\nDATA binary\n", "SIZE of 2 for 3 fields"),
     ],
 )
 def test_malformed_pcd_files_are_errors_with_the_reason(

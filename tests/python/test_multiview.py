@@ -97,7 +97,7 @@ def test_edges_that_all_agree_are_accepted_and_confirmed_and_average_their_noise
     def mean_error(placed: MultiviewResult) -> float:
         errors = [
             gmcr.evaluate(pose, truth, scan).mean_point_error
-            for pose, truth, scan in zip(placed.poses, scene.poses, scene.scans)
+            for pose, truth, scan in zip(placed.poses, scene.poses, scene.scans, strict=True)
             if pose is not None
         ]
         return float(np.mean([error for error in errors if error is not None]))
@@ -237,7 +237,7 @@ def test_the_order_of_the_edges_does_not_change_the_poses() -> None:
             edge.source, edge.target, edge.target_from_source, 10 + index, TOLERANCE
         )
     forward, backward = scene.place(edges), scene.place(edges[::-1])
-    for one, other in zip(forward.poses, backward.poses):
+    for one, other in zip(forward.poses, backward.poses, strict=True):
         np.testing.assert_allclose(one, other, atol=1e-7)  # type: ignore[arg-type]
 
 

@@ -104,7 +104,7 @@ def test_nothing_follows_the_last_line_of_a_program():
 def test_an_example_runs(path, clouds, tmp_path):
     arguments = []
     if "clouds" in path.name:
-        for name, points in zip(("source", "target"), clouds):
+        for name, points in zip(("source", "target"), clouds[:2], strict=True):
             np.save(tmp_path / f"{name}.npy", points)
             arguments.append(tmp_path / f"{name}.npy")
     done = run(path, *arguments, env={**os.environ, "PYTHONWARNINGS": "error"})

@@ -46,7 +46,7 @@ def matches(problem: gmcr.SyntheticProblem, tmp_path: Path) -> Path:
 def test_register_writes_a_report_and_nothing_but_json_on_stdout(
     tool: Path, clouds: tuple[np.ndarray, np.ndarray, gmcr.Similarity], tmp_path: Path
 ) -> None:
-    for name, points in zip(("source.npy", "target.npy"), clouds[:2]):
+    for name, points in zip(("source.npy", "target.npy"), clouds[:2], strict=True):
         np.save(tmp_path / name, points)
     report = tmp_path / "a report.html"
     done = run(

@@ -18,7 +18,7 @@ def draw(records: Sequence[dict]) -> Figure:
     figure, panels = pyplot.subplots(
         1, 2, figsize=(COLUMN_WIDTH, 2.5), sharey=True, layout="constrained"
     )
-    for panel, (set_name, title) in zip(panels, TITLES.items()):
+    for panel, (set_name, title) in zip(panels, TITLES.items(), strict=True):
         group = [record for record in records if record["set"] == set_name]
         draw_curves(panel, group, "bound_factor", success_summary, methods_of(group, [LIMIT]))
         panel.set(title=title, xscale="log", xlabel="noise bound / customary", ylim=(-4, 104))

@@ -24,7 +24,7 @@ def draw(records: Sequence[dict]) -> Figure:
         1, 3, figsize=(COLUMN_WIDTH, 2.3), sharey=True, layout="constrained"
     )
     methods = methods_of(records)
-    for panel, (setting, title) in zip(panels, TITLES.items()):
+    for panel, (setting, title) in zip(panels, TITLES.items(), strict=True):
         mine = [record for record in records if record["setting"] == setting]
         draw_recall(panel, errors_in_percent, mine, methods)
         panel.axvline(100 * MAX_SHARE_OF_DIAMETER, color="#555555", linewidth=0.6)
@@ -38,4 +38,4 @@ def draw(records: Sequence[dict]) -> Figure:
 def errors_in_percent(records: Sequence[dict]) -> list[float]:
     """ADD over the diameter, which the criterion is a share of."""
     diameters = [record["criterion"]["mean_point"] / MAX_SHARE_OF_DIAMETER for record in records]
-    return [100 * e / d for e, d in zip(errors(records, "mean_point"), diameters)]
+    return [100 * e / d for e, d in zip(errors(records, "mean_point"), diameters, strict=True)]

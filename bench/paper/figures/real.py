@@ -30,7 +30,7 @@ def draw(records: Sequence[dict]) -> Figure:
     figure, panels = pyplot.subplots(
         1, 2, figsize=(COLUMN_WIDTH, 2.5), sharex=True, sharey=True, layout="constrained"
     )
-    for panel, (set_name, title) in zip(panels, TITLES.items()):
+    for panel, (set_name, title) in zip(panels, TITLES.items(), strict=True):
         group = [record for record in records if record["set"] == set_name]
         for method in methods_of(group, [LIMIT]):
             mine = [record for record in group if record["method"] == method]

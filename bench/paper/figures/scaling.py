@@ -31,7 +31,7 @@ from paper.statistics import success_rate
 )
 def draw(records: Sequence[dict]) -> Figure:
     figure, panels = pyplot.subplots(3, 1, figsize=(COLUMN_WIDTH, 5.6), layout="constrained")
-    for panel, rate, letter in zip(panels, SIZE_RATES, "ab"):
+    for panel, rate, letter in zip(panels[:2], SIZE_RATES, "ab", strict=True):
         mine = [record for record in records if record["outlier_rate"] == rate]
         _draw_times(panel, mine, "num_correspondences")
         panel.set(xscale="log", title=f"({letter}) {100 * rate:g} % outliers", xlabel="N")

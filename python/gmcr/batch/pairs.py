@@ -100,7 +100,7 @@ def _read_csv(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
                 raise PairsError(
                     f"{path}:{reader.line_num}: {len(cells)} cells, the header has {len(header)}"
                 )
-            texts = zip(header, (cell.strip() for cell in cells))
+            texts = zip(header, (cell.strip() for cell in cells), strict=True)
             fields = {n: parse_value(t) if n in OPTION_NAMES else t for n, t in texts}
             yield reader.line_num, fields
 

@@ -20,7 +20,7 @@ def coordinates_dtype(fields: Mapping[str, tuple[str, int]], size: int) -> np.dt
     """
     if not {"x", "y", "z"} <= fields.keys():
         raise ValueError(f"no x, y and z among the fields {', '.join(fields) or '(none)'}")
-    formats, offsets = zip(*(fields[axis] for axis in "xyz"))
+    formats, offsets = zip(*(fields[axis] for axis in "xyz"), strict=True)
     return np.dtype(
         {"names": list("xyz"), "formats": formats, "offsets": offsets, "itemsize": size}
     )

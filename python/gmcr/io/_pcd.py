@@ -39,7 +39,11 @@ def _read_header(file: BinaryIO) -> dict[str, list[str]]:
         if words:
             header[words[0]] = words[1:]
             if words[0] == "DATA":
-                header.setdefault("COUNT", ["1"] * len(header["FIELDS"]))
+                num_fields = len(header["FIELDS"])
+                header.setdefault("COUNT", ["1"] * num_fields)
+                for key in ("SIZE", "TYPE", "COUNT"):
+                    if len(header[key]) != num_fields:
+                        raise ValueError(f"{key} of {len(header[key])} for {num_fields} fields")
                 return header
     raise ValueError("the header has no DATA")
 
@@ -50,7 +54,7 @@ def _read_binary(
     fields: dict[str, tuple[str, int]] = {}
     size = 0
     for name, kind, width, repeat in zip(
-        header["FIELDS"], header["TYPE"], header["SIZE"], header["COUNT"]
+        header["FIELDS"], header["TYPE"], header["SIZE"], header["COUNT"], strict=True
     ):
         fields[name] = (f"<{_KINDS[kind]}{width}", size)
         size += int(width) * int(repeat)

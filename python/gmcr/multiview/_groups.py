@@ -165,7 +165,7 @@ def _cycle_limit(
     lengths: npt.NDArray[np.int64],
 ) -> float:
     """Errors of the edges of the cycle add up like independent ones of the larger tolerance."""
-    ends = zip(_ends(edge, groups, pair), _ends(other, groups, pair))
+    ends = zip(_ends(edge, groups, pair), _ends(other, groups, pair), strict=True)
     num_edges = 2 + sum(int(lengths[start, end]) for start, end in ends)
     return max(edge.tolerance, other.tolerance) * math.sqrt(num_edges)
 

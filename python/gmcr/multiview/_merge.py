@@ -42,7 +42,7 @@ def merge_scans(
         raise ValueError(f"poses: {len(poses)} for {len(scans)} scans")
     placed = [
         move(as_points(scan, f"scans[{index}]"), as_pose(pose).matrix())
-        for index, (scan, pose) in enumerate(zip(scans, poses))
+        for index, (scan, pose) in enumerate(zip(scans, poses, strict=True))
         if pose is not None
     ]
     if not placed:

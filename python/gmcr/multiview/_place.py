@@ -66,7 +66,7 @@ def place_scans(scans: Sequence[npt.ArrayLike], edges: Sequence[Edge]) -> Multiv
         components,
         tuple(
             _judge(edge, replaced, accepted, groups, spreads)
-            for edge, replaced in zip(edges, centred)
+            for edge, replaced in zip(edges, centred, strict=True)
         ),
     )
 

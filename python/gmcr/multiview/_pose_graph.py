@@ -48,4 +48,4 @@ def optimise_poses(poses: Mapping[int, Matrix], edges: Sequence[Edge]) -> dict[i
         criteria,
         registration.GlobalOptimizationOption(reference_node=0),
     )
-    return {scan: np.array(node.pose) for scan, node in zip(scans, graph.nodes)}
+    return {scan: np.array(node.pose) for scan, node in zip(scans, graph.nodes, strict=True)}

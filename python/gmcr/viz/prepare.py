@@ -67,7 +67,7 @@ def scene_of_files(
 
 def _check_sizes(result: CloudResult, clouds: tuple[Floats, Floats]) -> None:
     expected = result.num_source_points, result.num_target_points
-    for name, cloud, size in zip(("source", "target"), clouds, expected):
+    for name, cloud, size in zip(("source", "target"), clouds, expected, strict=True):
         if len(cloud) != size:
             raise ValueError(f"{name}: {len(cloud)} points, but the result is about {size}")
 
