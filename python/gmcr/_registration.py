@@ -176,8 +176,9 @@ def consistency_graph(
     source, target : array_like, shape (N, 3)
         Matched points, metres.
     options, **keywords
-        As for ``register_correspondences``. With an estimated scale, ``scale_range`` is needed: the
-        pairs are those that agree at some scale in it.
+        As for ``register_correspondences``; priors and ``one_to_one`` remove edges. With an
+        estimated scale, ``scale_range`` is needed: the pairs are those that agree at some scale in
+        it.
 
     Returns
     -------

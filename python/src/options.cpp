@@ -86,6 +86,11 @@ void bind_solver_options(nb::module_& module) {
           "Called now and then as progress(stage, fraction); False stops the search, which then\n"
           "ends as if its time were up.")
       .settable()
+      .def(
+          "admit",
+          [](const Options& options, const Similarity& pose) { return options.priors.admit(pose); },
+          nb::arg("target_from_source"),
+          "Whether gravity, initial_pose and max_translation admit a transform, to rounding.")
       .def("validate", &Options::validate,
            "Raises ValueError naming the field and its value where one is out of range.");
 }

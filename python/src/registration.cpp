@@ -2,18 +2,21 @@
 
 #include "bindings.hpp"
 #include "consensus/consistency_graph.hpp"
+#include "consensus/pair_filter.hpp"
 #include "interruptible.hpp"
 #include "registration/input.hpp"
 
 namespace gmcr::python {
 namespace {
 
-/// (N, N) bool.
-nb::object dense(const BitsetGraph& graph) {
+/// (N, N) bool, without the edges of the other vertices.
+nb::object dense(const BitsetGraph& graph, const std::vector<bool>& is_vertex) {
+  const auto is_edge = [&](Index u, Index v) {
+    return u != v && is_vertex[u] && is_vertex[v] && graph.has_edge(u, v);
+  };
   const Index n = graph.num_vertices();
   using Rows = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  auto* rows = new Rows(
-      Rows::NullaryExpr(n, n, [&](Index u, Index v) { return u != v && graph.has_edge(u, v); }));
+  auto* rows = new Rows(Rows::NullaryExpr(n, n, is_edge));
   const nb::capsule owner(rows, [](void* memory) noexcept { delete static_cast<Rows*>(memory); });
   const auto size = static_cast<std::size_t>(n);
   return nb::cast(nb::ndarray<nb::numpy, bool>(rows->data(), {size, size}, owner));
@@ -28,11 +31,17 @@ nb::object graph_of(const PointsArray& source, const PointsArray& target, const 
   if (!(scales.min > 0)) {
     throw std::invalid_argument("scale_range: the graph of an unknown scale needs one");
   }
-  return dense(interruptible(options, [&](const Options& watched) {
-    return consistency_graph(
-        consistency_arrays(centre(input.source, input.target, input.bounds), scales.max), scales,
-        watched.num_threads);
-  }));
+  std::vector<bool> is_admitted(static_cast<std::size_t>(input.size()));
+  const BitsetGraph graph = interruptible(options, [&](const Options& watched) {
+    const Correspondences centred = centre(input.source, input.target, input.bounds);
+    BitsetGraph edges =
+        consistency_graph(consistency_arrays(centred, scales.max), scales, watched.num_threads);
+    const PairFilter filter(centred, options.priors, options.one_to_one, scales);
+    filter.apply(edges, scales, watched.num_threads);
+    for (Index i = 0; i < input.size(); ++i) is_admitted[i] = filter.admits(i, scales);
+    return edges;
+  });
+  return dense(graph, is_admitted);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ import numpy.typing as npt
 import pytest
 from gmcr.io import read_points
 from gmcr.multiview import register_pairs, register_scans
+from gmcr.multiview._refine import refine_by_icp
 
 pytest.importorskip("open3d")
 
@@ -90,6 +91,19 @@ def test_chosen_pairs_keep_their_direction_and_refinement_brings_them_closer(
     assert (refined.source, refined.target) == (0, 1)
     assert plain.tolerance == 0.5
     assert errors[1] < 0.7 * errors[0]  # type: ignore[operator]
+
+
+def test_refinement_keeps_to_the_priors(scene: tuple[list[Matrix], list[Matrix]]) -> None:
+    source, target = scene[0][:2]
+    frontend = gmcr.FrontendOptions(voxel_size=0.06, max_attempts=2)
+    result = gmcr.register_clouds(source, target, frontend)
+    found = result.registration.target_from_source
+    kept = {}
+    for max_rotation in (1e-9, 0.5):
+        prior = gmcr.InitialPose(target_from_source=found, max_rotation=max_rotation)
+        options = gmcr.Options(initial_pose=prior)
+        kept[max_rotation] = refine_by_icp(result, source, target, options) is result
+    assert kept == {1e-9: True, 0.5: False}
 
 
 def test_alternatives_are_edges_of_their_own(scene: tuple[list[Matrix], list[Matrix]]) -> None:

@@ -234,6 +234,14 @@ def test_certify_proves_what_is_not_proven_without():
     assert sum(after for _, after in gaps) < sum(before for before, _ in gaps)
 
 
+def test_options_say_which_poses_they_admit(problem):
+    truth = problem.target_from_source
+    length = np.linalg.norm(truth.translation)
+    assert gmcr.Options().admit(truth)
+    assert gmcr.Options(max_translation=1.01 * length).admit(truth)
+    assert not gmcr.Options(max_translation=0.99 * length).admit(truth)
+
+
 def test_num_threads_are_used_and_do_not_change_the_bits(problem):
     one, two = (solve(problem, num_threads=n) for n in (1, 2))
     assert (one.diagnostics.num_threads, two.diagnostics.num_threads) == (1, 2)

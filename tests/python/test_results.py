@@ -216,3 +216,31 @@ def test_consistency_graph_has_an_edge_where_lengths_agree(problem):
         gmcr.consistency_graph(
             problem.source, problem.target, noise_bound=1, scale_mode="estimated"
         )
+
+
+def test_consistency_graph_keeps_to_the_priors(problem):
+    def graph(**priors):
+        return gmcr.consistency_graph(problem.source, problem.target, noise_bound=0.01, **priors)
+
+    pose = gmcr.InitialPose(
+        target_from_source=problem.target_from_source, max_rotation=0.1, max_translation=0.1
+    )
+    plain, near = graph(), graph(initial_pose=pose)
+    inliers = np.flatnonzero(problem.is_inlier)
+    residuals = problem.target_from_source.apply(problem.source) - problem.target
+    is_far = np.linalg.norm(residuals, axis=1) > 0.5
+    assert near[np.ix_(inliers, inliers)].sum() == len(inliers) * (len(inliers) - 1)
+    assert not (near & ~plain).any()
+    assert plain[is_far].any()
+    assert not near[is_far].any()
+
+
+def test_consistency_graph_has_no_edge_between_matches_of_one_point():
+    source = np.array([[0.0, 0, 0], [0.01, 0, 0], [0, 1, 0]])
+    target = source[[0, 0, 2]]
+    graphs = [
+        gmcr.consistency_graph(source, target, noise_bound=0.05, one_to_one=value)
+        for value in (False, True)
+    ]
+    assert graphs[0].sum() == 6
+    assert graphs[1].tolist() == [[False, False, True], [False, False, True], [True, True, False]]

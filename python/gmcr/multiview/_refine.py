@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from .._arguments import as_pose
 from .._clouds import voxel_grid, with_pose
 from .._gmcr import CloudResult, Options
 from ..io._cloud import import_extra
@@ -32,7 +33,7 @@ def refine_by_icp(
 ) -> CloudResult:
     """The result at the pose that point-to-plane ICP between its clouds leads to.
 
-    It stays as it is where that pose would lose overlap or inliers.
+    It stays as it is where that pose would lose overlap or inliers, or leave what the priors admit.
     """
     open3d = require_open3d()
     registration = open3d.pipelines.registration
@@ -50,6 +51,8 @@ def refine_by_icp(
             registration.TransformationEstimationPointToPlane(),
             registration.ICPConvergenceCriteria(max_iteration=_MAX_ITERATIONS),
         ).transformation
+    if not options.admit(as_pose(pose)):
+        return result
     refined = with_pose(result, pose, options)
     keeps_inliers = len(refined.registration.inliers) >= max(
         3, _LEAST_INLIERS_KEPT * len(result.registration.inliers)
