@@ -63,6 +63,13 @@ void write_block(BitsetGraph& graph, Index row_block, Index column_block,
   }
 }
 
+/// As write_block, but pages of a new graph that no edge reaches are never brought in.
+void change_block(BitsetGraph& graph, Index row_block, Index column_block,
+                  const kernels::BitBlock& bits) {
+  if (read_block(graph, row_block, column_block) == bits) return;
+  write_block(graph, row_block, column_block, bits);
+}
+
 }  // namespace
 
 void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const Deadline& deadline,
@@ -82,7 +89,7 @@ void mirror_upper_blocks(BitsetGraph& graph, int num_threads) {
     if (row == column) return;
     kernels::BitBlock bits = read_block(graph, row, column);
     kernels::transpose(bits);
-    write_block(graph, column, row, bits);
+    change_block(graph, column, row, bits);
   });
 }
 

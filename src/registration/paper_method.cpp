@@ -57,6 +57,7 @@ std::optional<Pruned> prune_by_scale(SolveContext& context, const Correspondence
   require_memory_for_tims(context, correspondences.size());
   const Tims tims =
       make_tims(correspondences, admitted_pairs(correspondences.size(), scales, filter));
+  if (context.stopped()) return std::nullopt;
   const auto consensus = scale_consensus(tims, scales);
   if (!consensus) return std::nullopt;
   return Pruned{select(tims, consensus->tims), consensus->scale,
@@ -115,7 +116,7 @@ MethodResult solve_paper(SolveContext& context, const Correspondences& correspon
   const auto pruned = scales.min == scales.max
                           ? prune_by_consistency(context, correspondences, scales.min, filter)
                           : prune_by_scale(context, correspondences, scales, filter);
-  if (!pruned) return result;
+  if (!pruned || context.stopped()) return result;
   result.upper_bound = std::min(result.upper_bound, pruned->upper_bound);
   result.evidence_upper_bound = static_cast<double>(result.upper_bound);
   const auto fit = [&](const std::vector<Index>& indices) {
