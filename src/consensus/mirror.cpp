@@ -32,11 +32,12 @@ void for_each_upper_block(const BitsetGraph& graph, int num_threads, const Deadl
 
 /// Brings in the memory of a new graph, each thread that of rows side by side: threads that write
 /// to blocks would often wait for each other at one page.
-void touch_rows(BitsetGraph& graph, int num_threads) {
+void touch_rows(BitsetGraph& graph, int num_threads, const Deadline& deadline) {
   constexpr Index kChunk = 1024;
   constexpr std::size_t kWordsPerPage = 512;
   if (graph.num_vertices() <= kChunk) return;
   parallel_for(graph.num_vertices(), kChunk, num_threads, [&](Index begin, Index end) {
+    if (deadline.expired()) return;
     for (Index v = begin; v < end; ++v) {
       const auto row = graph.mutable_row(v);
       for (std::size_t word = 0; word < row.size(); word += kWordsPerPage) row[word] = 0;
@@ -74,7 +75,7 @@ void change_block(BitsetGraph& graph, Index row_block, Index column_block,
 
 void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const Deadline& deadline,
                             const std::function<kernels::BitBlock(Index, Index)>& block) {
-  touch_rows(graph, num_threads);
+  touch_rows(graph, num_threads, deadline);
   for_each_upper_block(graph, num_threads, deadline, [&](Index row, Index column) {
     kernels::BitBlock bits = block(row, column);
     write_block(graph, row, column, bits);

@@ -25,7 +25,13 @@ std::vector<Index> without(const std::vector<Index>& members, const std::vector<
   return rest;
 }
 
-/// The subgraph that vertices induce, in their order.
+std::vector<Index> indices_of(const std::vector<bool>& chosen) {
+  std::vector<Index> indices;
+  for (std::size_t v = 0; v < chosen.size(); ++v) {
+    if (chosen[v]) indices.push_back(static_cast<Index>(v));
+  }
+  return indices;
+}
 
 }  // namespace
 
@@ -40,13 +46,15 @@ JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const Bits
 
 double JointSearch::run(double to_beat) {
   to_beat_ = to_beat;
-  // best first: colourings then need fewer classes
-  std::vector<Index> order = degeneracy_order(graph_).order;
-  std::reverse(order.begin(), order.end());
+  std::vector<Index> all(static_cast<std::size_t>(graph_.num_vertices()));
+  std::iota(all.begin(), all.end(), Index{0});
   Node root;
-  root.open.resize(order.size());
-  std::iota(root.open.begin(), root.open.end(), Index{0});
-  root.graph = graph_;
+  root.open = hopeful(graph_, all, 0);  // before anything is copied: most are not
+  if (deadline_.expired()) return std::max(to_beat_, weight_of(root.open));
+  root.graph = induced_subgraph(graph_, root.open);
+  // best first: colourings then need fewer classes
+  std::vector<Index> order = degeneracy_order(root.graph).order;
+  std::reverse(order.begin(), order.end());
   select_open(root, order);
   return search(root);
 }
@@ -114,20 +122,23 @@ void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) co
 }
 
 void JointSearch::keep_open(Node& node, const std::vector<bool>& keep) const {
-  std::vector<Index> kept;
-  for (std::size_t v = 0; v < keep.size(); ++v) {
-    if (keep[v]) kept.push_back(static_cast<Index>(v));
-  }
+  const std::vector<Index> kept = indices_of(keep);
   if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
 void JointSearch::drop_hopeless(Node& node) const {
-  const std::size_t count = node.open.size();
+  const std::vector<Index> kept = hopeful(node.graph, node.open, node.kept_weight);
+  if (kept.size() < node.open.size()) select_open(node, kept);
+}
+
+std::vector<Index> JointSearch::hopeful(const BitsetGraph& graph, const std::vector<Index>& open,
+                                        double kept_weight) const {
+  const std::size_t count = open.size();
   std::vector<double> around(count);  // all that a set with the vertex can weigh
   std::vector<bool> keep(count, true);
   std::vector<Index> hopeless;
   const auto weight = [&](Index v) {
-    return weights_[static_cast<std::size_t>(node.open[static_cast<std::size_t>(v)])];
+    return weights_[static_cast<std::size_t>(open[static_cast<std::size_t>(v)])];
   };
   const auto judge = [&](Index v) {
     const auto k = static_cast<std::size_t>(v);
@@ -136,20 +147,21 @@ void JointSearch::drop_hopeless(Node& node) const {
     hopeless.push_back(v);
   };
   for (Index v = 0; v < static_cast<Index>(count); ++v) {
+    if (deadline_.expired()) return indices_of(keep);
     double& sum = around[static_cast<std::size_t>(v)];
-    sum = node.kept_weight + weight(v);
-    const auto row = node.graph.row(v);
-    for_each_bit(row.data(), node.graph.words_per_row(), [&](Index u) { sum += weight(u); });
+    sum = kept_weight + weight(v);
+    const auto row = graph.row(v);
+    for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { sum += weight(u); });
     judge(v);
   }
   for (std::size_t k = 0; k < hopeless.size(); ++k) {
-    const auto row = node.graph.row(hopeless[k]);
-    for_each_bit(row.data(), node.graph.words_per_row(), [&](Index u) {
+    const auto row = graph.row(hopeless[k]);
+    for_each_bit(row.data(), graph.words_per_row(), [&](Index u) {
       around[static_cast<std::size_t>(u)] -= weight(hopeless[k]);
       judge(u);
     });
   }
-  if (!hopeless.empty()) keep_open(node, keep);
+  return indices_of(keep);
 }
 
 void JointSearch::drop_misfits(Node& node) const {

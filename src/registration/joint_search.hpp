@@ -52,6 +52,10 @@ class JointSearch {
   double search(Node& node);
   double branch(const Node& node);
   Node child(const Node& node, std::span<const Index> before, Index chosen) const;
+  /// Vertices of a graph over `open` that sets of more than `to_beat_` may hold, ascending; others
+  /// too where the deadline passes.
+  std::vector<Index> hopeful(const BitsetGraph& graph, const std::vector<Index>& open,
+                             double kept_weight) const;
   void drop_hopeless(Node& node) const;
   void drop_misfits(Node& node) const;
   void drop_misfits_of_many(Node& node) const;

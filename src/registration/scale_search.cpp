@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "registration/scale_ranges.hpp"
@@ -37,11 +38,12 @@ std::vector<Index> top_modes(const std::vector<double>& evidence) {
   return modes;
 }
 
-/// L7: candidate cliques at the scales of most evidence.
+/// L7: candidate cliques at the scales of most evidence, at one of them whatever the time.
 void explore_modes(PoseSearch& search, VotedBins& voted) {
+  bool has_explored = false;
   for (const Index bin : top_modes(voted.votes().evidence)) {
     if (!exceeds(voted.bounds(bin).evidence, search.to_beat(Measure::Evidence))) continue;
-    if (search.best() && search.context().stopped()) return;
+    if (std::exchange(has_explored, true) && search.context().stopped()) return;
     grow_cliques(search, voted.graph(search, bin, voted.bins()[bin]), kMaxStarts);
   }
 }

@@ -67,6 +67,18 @@ TEST(ScaleSearch, ClosesMostBinsByTheirVotes) {
   EXPECT_LE(result.diagnostics.num_scale_ranges, 10);  // of some 300 bins
 }
 
+TEST(ScaleSearch, BuildsOneGraphAfterItsTime) {
+  SyntheticOptions synthetic;
+  synthetic.num_correspondences = 3000;
+  synthetic.outlier_rate = 0.95;
+  const SyntheticProblem problem = make_synthetic(synthetic);
+  Options options = options_with_unknown_scale(problem);
+  options.budget.time = 1e-6;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(result.diagnostics.num_scale_ranges, 1);
+  EXPECT_FALSE(result.diagnostics.limits_hit.empty());
+}
+
 TEST(ScaleSearch, HalvesNoRangeWhoseLargestCliqueAgreesAtOneScale) {
   int num_open = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
