@@ -25,7 +25,8 @@ BitsetGraph graph_from_rows(Index num_vertices, int num_threads, const Deadline&
                  }
                  for (Index v = begin; v < end; ++v) write_row(v, graph.mutable_row(v));
                });
-  return late ? BitsetGraph(num_vertices) : graph;
+  if (late) graph = BitsetGraph(num_vertices);
+  return graph;
 }
 
 }  // namespace gmcr

@@ -89,7 +89,9 @@ std::optional<Pruned> prune_by_consistency(SolveContext& context,
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
 Tims within_memory(SolveContext& context, Tims tims) {
   Index count = tims.size();
-  while (BitsetGraph::bytes_required(count) > context.options().budget.memory) {
+  const std::size_t budget = context.options().budget.memory;
+  const std::size_t taken = std::min(budget / 2, static_cast<std::size_t>(count) * kBytesPerTim);
+  while (BitsetGraph::bytes_required(count) > budget - taken) {
     count -= count / 16 + 1;
   }
   if (count == tims.size()) return tims;
