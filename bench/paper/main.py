@@ -60,9 +60,14 @@ def _names_of(known: dict) -> object:
 
 def main() -> int:
     options = parse_arguments(sys.argv[1:])
-    with Runner(options.out, options.methods, options.time_limit) as runner:
-        for name in options.experiments:
-            runner.run(EXPERIMENTS[name], options.quick)
+    try:
+        with Runner(options.out, options.methods, options.time_limit) as runner:
+            for number, name in enumerate(options.experiments, 1):
+                print(f"experiment {number} of {len(options.experiments)}", file=sys.stderr)
+                runner.run(EXPERIMENTS[name], options.quick)
+    except KeyboardInterrupt:
+        print("interrupted; run the same command again to go on", file=sys.stderr)
+        return 130
     write_report(options.out, options.out / "tables.md", options.out / "figures")
     print(f"records, tables.md and figures/ are in {options.out}", file=sys.stderr)
     return 0

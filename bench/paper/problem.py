@@ -60,10 +60,11 @@ class Problem:
         return residuals <= self.noise_bound
 
     def input_hash(self) -> str:
-        """16 hex digits of the bytes that every method is given."""
+        """16 hex digits of all that every method is given."""
         digest = hashlib.sha256()
         for points in (self.source, self.target):
             digest.update(np.ascontiguousarray(points, dtype=np.float64).tobytes())
+        digest.update(repr((float(self.noise_bound), self.is_scale_known, self.seed)).encode())
         return digest.hexdigest()[:16]
 
 

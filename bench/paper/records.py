@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 import os
 import platform
+import subprocess
 from functools import lru_cache
 from pathlib import Path
 
 import gmcr
+import numpy as np
+
+from paper.data import CHECKOUT
 
 
 class RecordFile:
@@ -53,11 +57,23 @@ def environment() -> dict:
     """Machine and versions, the same for all records of a run."""
     return {
         "gmcr": gmcr.__version__,
+        "commit": _commit(),
         "python": platform.python_version(),
+        "numpy": np.__version__,
         "cpu": _cpu_model(),
         "isa": gmcr.instruction_set(),
         "cores": os.cpu_count(),
     }
+
+
+def _commit() -> str | None:
+    """Of the checkout, with a + where files differ from it; None outside of one."""
+    command = ["git", "describe", "--always", "--dirty=+", "--abbrev=10"]
+    try:
+        done = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return done.stdout.strip()
 
 
 def _cpu_model() -> str:

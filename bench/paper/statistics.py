@@ -52,9 +52,15 @@ class Rate:
 
 
 def success_rate(records: Sequence[dict]) -> Rate:
-    """Rate over all runs: one that timed out or crashed is no success."""
-    successes = sum(bool(record["success"]) for record in records)
-    return Rate(successes, len(records), *wilson(successes, len(records)))
+    """Rate over all runs: one that timed out or crashed is no success.
+
+    Runs of one real pair are no independent trials: the interval is that of as many trials as there
+    are pairs.
+    """
+    successes, total = sum(bool(record["success"]) for record in records), len(records)
+    num_pairs = len({(record["set"], record["pair"]) for record in records if "pair" in record})
+    trials = num_pairs or total
+    return Rate(successes, total, *wilson(successes * trials / total, trials))
 
 
 def errors(records: Sequence[dict], name: str) -> list[float]:

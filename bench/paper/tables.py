@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from statistics import median
 
 from reports.markdown import milliseconds, table
 from reports.records import group_by
@@ -57,13 +58,16 @@ def time_cell(records: Records) -> str:
 
 
 def spread_cell(records: Records, name: str) -> str:
-    """Mean and standard deviation of an error over the runs with a pose."""
+    """Mean and standard deviation of an error over the runs with a pose, and how many have one."""
     if not records:
         return "-"
-    mean, deviation = mean_and_deviation(errors(records, name))
+    values = errors(records, name)
+    mean, deviation = mean_and_deviation(values)
     if math.isnan(mean):
         return "none"
-    return f"{number(mean)} ± {number(deviation, 2)}"
+    with_pose = sum(map(math.isfinite, values))
+    count = "" if with_pose == len(values) else f" ({with_pose} of {len(values)})"
+    return f"{number(mean)} ± {number(deviation, 2)}{count}"
 
 
 def quartiles_cell(records: Records, name: str) -> str:
@@ -72,6 +76,10 @@ def quartiles_cell(records: Records, name: str) -> str:
         return "-"
     summary = quartiles(errors(records, name))
     return f"{number(summary.median)} ({number(summary.low, 2)}-{number(summary.high, 2)})"
+
+
+def point_cell(records: Records) -> str:
+    return quartiles_cell(records, "mean_point")
 
 
 def over_field(
@@ -95,6 +103,8 @@ def synthetic(records: Records) -> str:
     for (count,), group in sorted(group_by(records, "num_correspondences").items()):
         text += f"N = {count}: success in per cent, with its Wilson interval at 95 %.\n\n"
         text += over_field(group, "outlier_rate", "outliers %", percent, success_cell) + "\n"
+        text += f"N = {count}: mean point error in m, median (quartiles).\n\n"
+        text += over_field(group, "outlier_rate", "outliers %", percent, point_cell) + "\n"
         text += f"N = {count}: time in ms, median (quartiles).\n\n"
         text += over_field(group, "outlier_rate", "outliers %", percent, time_cell) + "\n"
     return text + exactness(records)
@@ -128,6 +138,8 @@ def structured(records: Records) -> str:
     for (kind,), group in group_by(records, "kind").items():
         text += f"{kind.capitalize()} outliers: success in per cent.\n\n"
         text += over_field(group, "outlier_rate", "outliers %", percent, success_cell) + "\n"
+        text += f"{kind.capitalize()} outliers: mean point error in m, median (quartiles).\n\n"
+        text += over_field(group, "outlier_rate", "outliers %", percent, point_cell) + "\n"
     mine = [record for record in records if record["kind"] == "structured"]
     text += "Structured outliers: time in ms, median (quartiles).\n\n"
     return text + over_field(mine, "outlier_rate", "outliers %", percent, time_cell)
@@ -141,14 +153,25 @@ def objects(records: Records) -> str:
         rows = [
             [
                 f"{set_name}/{name}",
+                right_matches(mine),
                 *(spread_cell(of_method(mine, m), "mean_point") for m in methods),
             ]
             for (set_name, name), mine in group_by(group, "set", "object").items()
         ]
-        rows.append(["success %", *(success_cell(of_method(group, m)) for m in methods)])
-        rows.append(["time ms", *(time_cell(of_method(group, m)) for m in methods)])
-        text += table(["object", *map(label_of, methods)], rows) + "\n"
+        rows.append(["success %", "", *(success_cell(of_method(group, m)) for m in methods)])
+        rows.append(["time ms", "", *(time_cell(of_method(group, m)) for m in methods)])
+        text += table(["object", "right matches", *map(label_of, methods)], rows) + "\n"
     return text
+
+
+def right_matches(records: Records) -> str:
+    """Median number of right matches of all, over the problems."""
+    problems = list({record["input_hash"]: record for record in records}.values())
+    right, total = (
+        median(record[field] for record in problems)
+        for field in ("num_true_inliers", "num_correspondences")
+    )
+    return f"{right:g} of {total:g}"
 
 
 def lidar(records: Records) -> str:
@@ -169,8 +192,10 @@ def lidar(records: Records) -> str:
             ]
         )
     text = "R and t: mean ± standard deviation of the successes; all runs: median (quartiles).\n\n"
-    text += table(header, rows) + "\nSuccess in per cent by scan.\n\n"
-    return text + over_field(records, "scan", "scan", str, success_cell)
+    text += table(header, rows) + "\nTranslation error in m by scan, median (quartiles).\n\n"
+    return text + over_field(
+        records, "scan", "scan", str, lambda mine: quartiles_cell(mine, "translation")
+    )
 
 
 def real(records: Records) -> str:

@@ -8,7 +8,7 @@ from matplotlib import pyplot
 from matplotlib.figure import Figure
 
 from paper.figures.registry import figure_of
-from paper.figures.style import COLUMN_WIDTH, draw_recall, methods_of, shared_legend
+from paper.figures.style import COLUMN_WIDTH, draw_recall, methods_of, plain_ticks, shared_legend
 from paper.scenarios.objects import MAX_SHARE_OF_DIAMETER
 from paper.statistics import errors
 
@@ -17,7 +17,8 @@ TITLES = {"random": "random 50 %", "structured": "structured 50 %", "fpfh": "FPF
 
 @figure_of(
     "objects",
-    "Share of runs whose mean point error (ADD) is at most x per cent of the object's diameter",
+    "Share of runs whose mean point error (ADD) is at most x per cent of the object's diameter; "
+    "the line is the largest of a success",
 )
 def draw(records: Sequence[dict]) -> Figure:
     figure, panels = pyplot.subplots(
@@ -28,7 +29,8 @@ def draw(records: Sequence[dict]) -> Figure:
         mine = [record for record in records if record["setting"] == setting]
         draw_recall(panel, errors_in_percent, mine, methods)
         panel.axvline(100 * MAX_SHARE_OF_DIAMETER, color="#555555", linewidth=0.6)
-        panel.set(title=title, xlim=(0, 20), ylim=(-3, 103))
+        panel.set(title=title, xscale="log", xlim=(0.05, 30), ylim=(-3, 103))
+        plain_ticks(panel.xaxis)
     panels[0].set_ylabel("runs, %")
     panels[1].set_xlabel("ADD, % of diameter")
     shared_legend(figure, panels[0])

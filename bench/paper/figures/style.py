@@ -30,9 +30,9 @@ STYLES = {
     "open3d-fgr": ("FGR (Open3D)", "#e69f00", "P", (0, (6, 2, 1, 2))),
     "kiss-matcher": ("KISS-Matcher", "#7f4fc9", "X", (0, (2, 2))),
     "teaser++": ("TEASER++", "#a6761d", ">", (0, (5, 2, 2, 2))),
-    "least-squares": ("true inliers (limit)", "#999999", "", (0, (1, 3))),
+    "least-squares": ("true inliers", "#999999", "", (0, (1, 3))),
 }
-LIMIT = "least-squares"  # no competitor: it knows the inliers
+REFERENCE = "least-squares"  # no competitor: it knows the inliers
 
 pyplot.rcParams.update(
     {
@@ -114,9 +114,9 @@ def draw_recall(
         mine = [record for record in records if record["method"] == method]
         finite = sorted(value for value in values(mine) if math.isfinite(value))
         shares = [100 * (k + 1) / len(mine) for k in range(len(finite))]
-        style = line_style(method) | {"marker": None}
+        style = line_style(method) | {"markevery": max(1, len(finite) // 6)}
         last = shares[-1] if shares else 0
-        axis.plot([0, *finite, 1e9], [0, *shares, last], drawstyle="steps-post", **style)
+        axis.plot([1e-9, *finite, 1e9], [0, *shares, last], drawstyle="steps-post", **style)
 
 
 def shared_legend(figure: Figure, axis: Axes, columns: int = 3) -> None:
@@ -146,4 +146,4 @@ def save(figure: Figure, path: Path) -> None:
     figure.savefig(pixels, dpi=200)
     pyplot.close(figure)
     # a palette, since the pictures are kept in the repository
-    Image.open(pixels).convert("RGB").quantize(64).save(path, optimize=True)
+    Image.open(pixels).convert("RGB").quantize(256).save(path, optimize=True)

@@ -9,6 +9,8 @@ import gmcr
 from paper.methods.registry import Method, Outcome
 from paper.problem import Pose, Problem
 
+LIMIT_SHARE = 0.95  # of the time limit: an answer at the limit still has to be returned
+
 
 class GmcrSolver(Method):
     """A call of `gmcr.register_correspondences`."""
@@ -22,7 +24,7 @@ class GmcrSolver(Method):
         self._options = gmcr.Options(
             noise_bound=problem.noise_bound,
             scale_mode="known" if problem.is_scale_known else "estimated",
-            time_limit=time_limit,
+            time_limit=LIMIT_SHARE * time_limit,
             **self.options,
         )
 

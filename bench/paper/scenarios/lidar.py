@@ -14,6 +14,7 @@ from paper.scenarios.drawing import (
     draw_inliers,
     nearest_pairs,
     random_outliers,
+    seed_of,
     structured_outliers,
 )
 from paper.scenarios.registry import KNOWN_SCALE, Case, experiment
@@ -50,7 +51,8 @@ def cases(quick: bool) -> Iterator[Case]:
 def make_problem(path: Path, seed: int) -> Problem:
     """Scans in a common frame, matched there, of which the target is then moved."""
     source, target, nearest = load_scans(path)
-    random = np.random.default_rng([seed, 4])
+    own_seed = seed_of(path.stem, seed)
+    random = np.random.default_rng(own_seed)
     aligned = Pose(1.0, np.eye(3), np.zeros(3))
     inliers = draw_inliers(nearest, NUM_INLIERS, random)
     bases = random_outliers(source, target, aligned, MAX_DISTANCE, NUM_BASES, random)
@@ -72,7 +74,7 @@ def make_problem(path: Path, seed: int) -> Problem:
         MAX_DISTANCE,
         is_scale_known=True,
         model=matched,
-        seed=seed,
+        seed=own_seed,
     )
 
 

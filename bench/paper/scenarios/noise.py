@@ -13,7 +13,7 @@ FACTORS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0)  # of the customary bound
 
 PROTOCOL = """\
 Beyond the paper: the same pairs, one rotation each, where all methods are told a multiple of the
-customary noise bound."""
+customary noise bound; 7 pairs of KITTI, 6 of GORE."""
 
 
 @experiment("noise", "Recall over noise bounds, known scale", PROTOCOL)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import gmcr
 
 from paper.problem import Problem
+from paper.scenarios.drawing import seed_of
 from paper.scenarios.registry import KNOWN_SCALE, Case, experiment
 from paper.scenarios.synthetic import problem_of
 
@@ -37,11 +38,12 @@ def cases(quick: bool) -> Iterator[Case]:
 
 
 def make_problem(count: int, rate: float, seed: int) -> Problem:
+    own_seed = seed_of("ball", count, rate, seed)
     drawn = gmcr.make_synthetic(
         kind="ball",
         num_correspondences=count,
         outlier_rate=rate,
         noise_bound=NOISE_BOUND,
-        seed=seed,
+        seed=own_seed,
     )
-    return problem_of(drawn, is_scale_known=True, seed=seed)
+    return problem_of(drawn, is_scale_known=True, seed=own_seed)

@@ -10,6 +10,7 @@ import numpy as np
 
 from paper.data import data_root, read_points
 from paper.problem import Pose, Problem
+from paper.scenarios.drawing import seed_of
 from paper.scenarios.registry import UNKNOWN_SCALE, Case, experiment
 
 MODELS = ("bunny", "armadillo", "dragon")
@@ -54,6 +55,8 @@ def model_case(
         "seed": seed,
     }
 
+    own_seed = seed_of(*fields.values())
+
     def make() -> Problem:
         drawn = gmcr.make_synthetic(
             kind=kind,
@@ -61,9 +64,9 @@ def model_case(
             num_correspondences=count,
             noise_bound=noise_bound,
             outlier_rate=rate,
-            seed=seed,
+            seed=own_seed,
         )
-        return problem_of(drawn, is_scale_known=False, seed=seed)
+        return problem_of(drawn, is_scale_known=False, seed=own_seed)
 
     return Case(fields, make, {"mean_point": MAX_MEAN_POINT_ERROR}, methods)
 

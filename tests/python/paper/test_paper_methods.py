@@ -53,7 +53,7 @@ class Slow(Method):
 
 
 def test_a_solve_beyond_the_limit_is_no_answer():
-    assert worker.time_solves(Slow(), easy_problem(), 0.01).outcome.status == "time_limit"
+    assert worker.time_solves(Slow(), easy_problem(), 0.049).outcome.status == "time_limit"
     assert worker.time_solves(Slow(), easy_problem(), 1.0).outcome.status == "ok"
 
 

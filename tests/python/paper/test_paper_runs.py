@@ -49,7 +49,7 @@ def test_a_record_tells_input_machine_versions_and_errors(tmp_path):
     assert record["input_hash"] == easy_problem().input_hash()
     assert record["success"] and record["errors"]["mean_point"] < 1e-6
     assert record["num_true_inliers"] == 40 and record["inlier_share"] == 1
-    for field in ("gmcr", "cpu", "isa", "cores", "date", "seed", "wall_ms", "time_limit"):
+    for field in ("gmcr", "numpy", "cpu", "isa", "cores", "date", "seed", "wall_ms", "time_limit"):
         assert record[field] is not None
 
 
@@ -114,12 +114,14 @@ def made_up_records(experiment):
                         "errors": error if right else None,
                         "criterion": CRITERION,
                         "certificate": None,
+                        "num_true_inliers": 5,
                         "num_inliers": 9 if right else None,
                         "inlier_share": 1.0 if right else None,
                         "time_limit": 10.0,
                         "gmcr": "0.1.0",
                         "python": "3.11",
                         "cpu": "cpu",
+                        "commit": "0123456789",
                         "isa": "AVX2",
                         "cores": 2,
                         "date": "2026-01-02T03:04:05+00:00",
@@ -146,7 +148,7 @@ def test_a_table_shows_successes_and_time_outs(experiment):
 
 def test_losses_list_where_another_method_is_right_more_often():
     text = losses({"lidar": made_up_records("lidar")})
-    assert "RANSAC10k | right more often | 100 against 0" in text
+    assert "RANSAC10k | right more often | 100 against 0 | 2 against inf | 0.1 against none" in text
     assert losses({"lidar": [r for r in made_up_records("lidar") if r["method"] == "gmcr"]}) == ""
 
 
@@ -154,9 +156,22 @@ def test_a_rival_that_is_as_often_right_loses_only_by_time():
     records = made_up_records("lidar")
     right = [record for record in records if record["success"]]
     ours = [{**record, "method": "gmcr", "wall_ms": 5.0} for record in right]
-    assert "as often, faster | 100 against 100 | 2 against 5" in losses({"lidar": [*ours, *right]})
+    assert "faster | 100 against 100 | 2 against 5" in losses({"lidar": [*ours, *right]})
     counting = [{**record, "method": "gmcr-count"} for record in right]
     assert losses({"lidar": [*ours, *counting]}) == ""
+
+
+def test_a_method_that_is_as_often_right_wins_by_a_fifth_of_the_error():
+    right = [record for record in made_up_records("lidar") if record["success"]]
+    ours = [{**record, "method": "gmcr"} for record in right]
+
+    def counting(share):
+        error = {**right[0]["errors"], "translation": share * 0.1}
+        return [{**record, "method": "gmcr-count", "errors": error} for record in right]
+
+    text = losses({"lidar": [*ours, *counting(0.7)]})
+    assert "| more accurate | 100 against 100 | 2 against 2 | 0.07 against 0.1" in text
+    assert losses({"lidar": [*ours, *counting(0.9)]}) == ""
 
 
 def test_the_section_is_composed_from_a_folder_of_records(tmp_path):
@@ -166,7 +181,7 @@ def test_the_section_is_composed_from_a_folder_of_records(tmp_path):
     text = compose(tmp_path, tmp_path / "images", tmp_path)
     assert text.startswith(HEADING)
     assert "![" in text and "(images/experiment_lidar.png)" in text
-    assert "2026-01-02" in text and "AVX2" in text
+    assert "2026-01-02" in text and "AVX2" in text and "0123456789" in text
     assert (tmp_path / "images" / "experiment_lidar.png").exists()
 
 

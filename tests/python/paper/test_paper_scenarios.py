@@ -32,6 +32,23 @@ def test_a_quick_run_is_part_of_the_full_one(name):
     assert all(fields in full for fields in quick)
 
 
+@pytest.mark.parametrize("name", EXPERIMENTS)
+def test_each_problem_is_drawn_from_a_seed_of_its_own(name):
+    # noise: the same rotation of a pair at all of its bounds
+    problems = [
+        case.make() for case in cases_of(name)[:6] if case.fields.get("bound_factor", 1) == 1
+    ]
+    assert len(problems) > 0
+    assert len({problem.seed for problem in problems}) == len(problems)
+
+
+def test_a_seed_is_the_same_everywhere_and_differs_by_each_field():
+    assert drawing.seed_of("bunny", 40, 0.5, 0) == 2011305382
+    seeds = {drawing.seed_of(*case) for case in [("a", 1), ("a", 11), ("a1", 1), ("b", 1), ("a",)]}
+    assert len(seeds) == 5
+    assert all(0 <= seed < 2**31 for seed in seeds)
+
+
 def test_synthetic_problems_have_the_inliers_of_their_rate():
     for case in cases_of("synthetic")[:12]:
         problem, fields = case.make(), case.fields

@@ -11,6 +11,7 @@ from paper.statistics import (
     success_rate,
     times_ms,
 )
+from reports.records import wilson
 
 
 def run(success=True, wall_ms=1.0, error=0.1):
@@ -42,6 +43,15 @@ def test_the_wilson_interval_of_8_of_10_is_that_of_the_literature():
     assert (rate.successes, rate.total, rate.share) == (8, 10, 0.8)
     assert rate.low == pytest.approx(0.4902, abs=1e-4)
     assert rate.high == pytest.approx(0.9433, abs=1e-4)
+
+
+def test_runs_of_one_real_pair_count_as_one_trial_in_the_interval():
+    records = [run(k % 3 < 2) | {"set": "gore", "pair": str(k // 3)} for k in range(30)]
+    rate, alone = success_rate(records), success_rate([run(k < 2) for k in range(3)])
+    assert (rate.successes, rate.total) == (20, 30)
+    assert (rate.low, rate.high) == pytest.approx(wilson(20 / 3, 10))
+    assert rate.low < success_rate([run(k < 20) for k in range(30)]).low
+    assert alone.low < rate.low
 
 
 def test_a_time_out_is_a_failure_with_infinite_time_and_error():
