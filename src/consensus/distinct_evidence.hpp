@@ -16,12 +16,17 @@ namespace gmcr {
 /// one a little longer hardly does: its two members are one piece of evidence seen twice.
 /// Correspondence i weighs
 ///   w_i(s) = 1 / (1 + number of its partners at scale s),
-/// partners being the pairs with |bbar_k| <= kReach eps_k and s |abar_k| <= kReach eps_k.
+/// partners being the pairs with |bbar_k| <= kReach eps_k and o |abar_k| <= kReach eps_k, where o
+/// is the power of two nearest to s: were it s itself, partners would be lost one by one as s
+/// grows, and the pose of most evidence would be one whose scale is some per cent too large.
 class DistinctEvidence {
  public:
   /// Partners at half as much again as the design's 1 tell clusters of outliers from inliers where
   /// these are few; farther ones would take dense inliers for copies.
   static constexpr double kReach = 1.5;
+
+  /// The power of two nearest to a scale by their ratio; 0 and infinity stay what they are.
+  static double octave(double scale);
 
   static constexpr ScaleRange kAllScales{0, std::numeric_limits<double>::infinity()};
 
@@ -38,7 +43,11 @@ class DistinctEvidence {
   /// Whether any weight is less than 1 at some scale.
   bool has_partners() const { return has_partners_; }
 
-  /// w_i(scale), of the nearest scale in the range. Cost O(log number of partners).
+  /// Whether a weight differs from scale to scale in the range.
+  bool depends_on_scale() const { return !max_scales_.empty(); }
+
+  /// w_i(scale), of the nearest scale in the range; it does not fall as the scale grows. Cost
+  /// O(log number of partners).
   double weight(Index i, double scale) const;
 
  private:

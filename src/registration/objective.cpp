@@ -26,7 +26,7 @@ Objective::Objective(const Correspondences& correspondences, Evidence evidence,
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
   if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes, scales);
-  if (is_weighted() && scales.min < scales.max) return;
+  if (is_weighted() && distinct_->depends_on_scale()) return;
   weights_.setOnes(correspondences.size());
   if (!is_weighted()) return;
   for (Index i = 0; i < weights_.size(); ++i) weights_[i] = distinct_->weight(i, scales.min);

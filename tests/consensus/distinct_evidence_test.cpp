@@ -27,8 +27,9 @@ TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
       int partners = 0;
       for (Index j = 0; j < 80; ++j) {
         const double bound = DistinctEvidence::kReach * (c.bounds[i] + c.bounds[j]);
-        partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
-                    scale * (c.source.col(j) - c.source.col(i)).norm() <= bound;
+        partners +=
+            j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
+            DistinctEvidence::octave(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
       }
       EXPECT_EQ(weights[i], 1.0 / (1 + partners));
     }
@@ -59,7 +60,7 @@ TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
   Correspondences c{random.in_cube(200), random.in_cube(200), Eigen::ArrayXd(200)};
   for (double& bound : c.bounds) bound = random.uniform(0.001, 0.15);
   const DistinctEvidence all(c, kEnough), some(c, kEnough, {0.5, 2});
-  for (const double scale : {0.5, 0.7, 1.0, 2.0}) {
+  for (const double scale : {0.5, 0.7, 0.71, 1.0, 1.3, 2.0}) {
     const DistinctEvidence known(c, kEnough, {scale, scale});
     EXPECT_TRUE(known.has_partners());
     for (Index i = 0; i < 200; ++i) {
@@ -67,6 +68,29 @@ TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
       EXPECT_EQ(some.weight(i, scale), all.weight(i, scale));
     }
   }
+}
+
+TEST(DistinctEvidence, IsThatOfTheNearestPowerOfTwo) {
+  const auto octave = DistinctEvidence::octave;
+  EXPECT_EQ(octave(1), 1);
+  EXPECT_EQ(octave(1.414), 1);
+  EXPECT_EQ(octave(1.415), 2);
+  EXPECT_EQ(octave(0.7072), 1);
+  EXPECT_EQ(octave(0.7071), 0.5);
+  EXPECT_EQ(octave(1e-3), 1.0 / 1024);
+  EXPECT_EQ(octave(0), 0);
+  EXPECT_EQ(octave(std::numeric_limits<double>::denorm_min()),
+            std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(octave(std::numeric_limits<double>::infinity()),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
+  testing::RandomGeometry random(5);
+  const Correspondences c{random.in_cube(100), random.in_cube(100),
+                          Eigen::ArrayXd::Constant(100, 0.1)};
+  EXPECT_FALSE(DistinctEvidence(c, kEnough, {0.75, 1.4}).depends_on_scale());
+  EXPECT_TRUE(DistinctEvidence(c, kEnough, {0.75, 1.5}).depends_on_scale());
 }
 
 TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
