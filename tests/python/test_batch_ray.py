@@ -1,5 +1,8 @@
 """Runs on a Ray cluster of several nodes, of which some die. Every pair exactly once."""
 
+import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import batch_support
@@ -82,3 +85,37 @@ def test_a_node_that_dies_loses_no_pair_and_a_second_call_repeats_none(tmp_path,
     assert rows["node-8"].attempts == 2
     again = run(pairs, tmp_path / "out", cluster, register=by_id)
     assert (again.num_skipped, again.statuses) == (24, {})
+
+
+def run_tool(pairs, out, address):
+    command = [sys.executable, "-m", "gmcr.batch", str(pairs), "--out", str(out)]
+    return subprocess.run(
+        [*command, "--noise-bound", "0.05", "--address", address],
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
+
+
+def test_the_tool_connects_to_a_cluster_by_its_address(tmp_path, cluster):
+    pairs = write_pairs(tmp_path, [f"p{k}" for k in range(5)])
+    done = run_tool(pairs, tmp_path / "out", cluster.address)
+    assert done.returncode == 0, done.stderr
+    assert rows_by_id(tmp_path / "out").keys() == {f"p{k}" for k in range(5)}
+
+
+@pytest.mark.parametrize("protocol", ["", "ray://"])
+def test_an_address_where_nothing_listens_is_a_clear_error_at_once(tmp_path, protocol):
+    pairs = write_pairs(tmp_path, ["p"])
+    with socket.socket() as unused:
+        unused.bind(("127.0.0.1", 0))  # not listening: connections are refused
+        address = f"{protocol}127.0.0.1:{unused.getsockname()[1]}"
+        done = run_tool(pairs, tmp_path / "out", address)
+    assert done.returncode == 3
+    assert done.stderr == f"gmcr.batch: Ray cluster {address}: Connection refused\n"
+
+
+def test_an_address_of_no_known_form_is_a_usage_error(tmp_path):
+    done = run_tool(write_pairs(tmp_path, ["p"]), tmp_path / "out", "nonsense")
+    assert done.returncode == 2
+    assert "nonsense" in done.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import time
 from typing import Any
 
@@ -13,6 +14,7 @@ from .schedule import Lost
 from .work import Chunk, Work, process
 
 _CHUNKS_PER_CORE = 2  # one that runs, one that waits
+_CONNECT_SECONDS = 10.0  # until a machine that does not answer is one that is not there
 _COUNT_SECONDS = 5.0  # between looks at the size of the cluster, which may grow and shrink
 
 
@@ -29,12 +31,17 @@ class RayBackend:
     address : str
         Of the cluster: ``auto``, ``HOST:PORT`` or ``ray://HOST:PORT``. A connection that exists
         already (``ray.init``) is used as it is.
+
+    Raises
+    ------
+    ConnectionError
+        No cluster answers there, or it refuses this client.
     """
 
     def __init__(self, work: Work, address: str) -> None:
         self._is_ours = not ray.is_initialized()
         if self._is_ours:
-            ray.init(address=address, log_to_driver=False)
+            _connect(address)
         self._process = ray.remote(num_cpus=1, max_retries=0)(process)
         self._work = ray.put(work)
         self._running: dict[Any, Chunk] = {}
@@ -69,6 +76,21 @@ class RayBackend:
         self._running.clear()
         if self._is_ours:
             ray.shutdown()
+
+
+def _connect(address: str) -> None:
+    hint = ""
+    host, colon, port = address.removeprefix("ray://").rpartition(":")
+    if colon and port.isdigit():
+        try:  # Ray itself waits for minutes where nothing listens
+            socket.create_connection((host, int(port)), _CONNECT_SECONDS).close()
+        except OSError as error:
+            raise ConnectionError(f"Ray cluster {address}: {error.strerror or error}") from error
+        hint = " (where the cluster wants a token: set RAY_AUTH_MODE=token)"
+    try:
+        ray.init(address=address, log_to_driver=False)
+    except (ConnectionError, ray.exceptions.RayError, RuntimeError) as error:
+        raise ConnectionError(f"Ray cluster {address}: {error}{hint}") from error
 
 
 def _outcome(task: Any) -> list[Row] | Lost:

@@ -107,6 +107,8 @@ def run(
         with rows of other options (``SinkError``).
     OSError
         where the list cannot be read or the rows cannot be written.
+    ConnectionError
+        where no Ray cluster answers at the address.
     RuntimeError
         where no worker can start.
     """
@@ -130,8 +132,8 @@ def run(
         started = time.perf_counter()
         todo = (pair for pair in read_pairs(pairs) if pair.id not in done)
         statuses: collections.Counter[str] = collections.Counter()
-        bar = Progress(num_pairs, len(done), show_progress)
         backend = _backend(work, address, num_workers)
+        bar = Progress(num_pairs, len(done), show_progress)
         try:
             for rows in schedule(todo, backend, retries, chunk_pairs):
                 sink.write(rows)
