@@ -30,6 +30,10 @@ void add_answers(CLI::App& command, Options& options) {
                 "Spend what is left of the time limit on proving that no pose is better")
       ->group(kGroup);
   command
+      .add_flag("--least-squares", options.least_squares,
+                "Return the least-squares fit to the inliers, not the pose that holds the most")
+      ->group(kGroup);
+  command
       .add_option("--hypotheses", options.num_hypotheses,
                   "Poses to return: the best and its alternatives")
       ->check(at_least(1))

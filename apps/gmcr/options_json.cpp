@@ -44,6 +44,7 @@ Json to_json(const Options& options) {
   json["evidence"] = options.evidence == Evidence::Distinct ? "distinct" : "count";
   set_priors(json, options.priors);
   json["one_to_one"] = options.one_to_one;
+  json["least_squares"] = options.least_squares;
   json["num_hypotheses"] = options.num_hypotheses;
   json["certify"] = options.certify;
   json["num_threads"] = options.num_threads;

@@ -80,6 +80,10 @@ struct Options {
   /// Search for poses with at most one inlier of those that share a source or a target point. The
   /// inliers and the certificate still speak of all.
   bool one_to_one = false;
+  /// Return the least-squares fit to the inliers, fitted again until they stay the same, instead of
+  /// the pose that holds the most: closer to the truth where the bound is loose. The inliers, the
+  /// evidence and the lower bounds are those of the fit, so fewer consensus sets are certified.
+  bool least_squares = false;
 
   /// Poses to return, >= 1: the best one and up to num_hypotheses - 1 alternatives, each with a
   /// consensus set of its own (symmetric objects, repeated structure).

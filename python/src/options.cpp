@@ -69,6 +69,10 @@ void bind_solver_options(nb::module_& module) {
           "Largest norm of the translation, metres, > 0.")
       .field("one_to_one", &Options::one_to_one,
              "Search for poses with at most one inlier of those that share a point.")
+      .field(
+          "least_squares", &Options::least_squares,
+          "Return the least-squares fit to the inliers instead of the pose that holds the most:\n"
+          "closer to the truth where the bound is loose, seldom certified.")
       .field("num_hypotheses", &Options::num_hypotheses,
              "Poses to return, >= 1: the best one and alternatives.")
       .field("certify", &Options::certify,

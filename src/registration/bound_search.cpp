@@ -141,6 +141,7 @@ Options BoundSearch::cheap_options(double bound) const {
   cheap.noise_mode = NoiseMode::Given;
   cheap.noise_bound = bound;
   cheap.threshold = 1;
+  cheap.least_squares = false;
   cheap.num_hypotheses = 1;
   cheap.certify = false;
   cheap.clique_solver = clique_solver_;

@@ -12,6 +12,7 @@
 #include "registration/conclude.hpp"
 #include "registration/gmcr_method.hpp"
 #include "registration/input.hpp"
+#include "registration/least_squares.hpp"
 #include "registration/noise_estimation.hpp"
 #include "registration/objective.hpp"
 #include "registration/paper_method.hpp"
@@ -129,6 +130,9 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
                            ? solve_gmcr(context, objective, constraints, filter)
                            : solve_paper(context, centred, constraints, filter);
   bound_all_inliers(found, diagnostics.num_used, filter);
+  if (options.least_squares) {
+    for (Similarity& pose : found.poses) pose = fit_to_consensus(objective, constraints, pose);
+  }
   found.poses = admitted_poses(found.poses, centred, options.priors);
   if (found.poses.empty()) {
     return give_up(Status::NoConsensus, no_pose_reason(diagnostics, options), found.upper_bound);

@@ -30,6 +30,7 @@ VALUES = {
     "initial_pose": gmcr.InitialPose(max_rotation=0.25, max_translation=3),
     "max_translation": 12.0,
     "one_to_one": True,
+    "least_squares": True,
     "num_hypotheses": 3,
     "certify": True,
     "num_threads": 2,
@@ -206,6 +207,18 @@ def test_one_to_one_does_not_count_shared_points():
         source, target, noise_bound=0.01, evidence="count", one_to_one=True
     )
     assert len(free.inliers) > len(paired.inliers)
+
+
+def test_least_squares_fits_the_inliers_of_a_loose_bound_better(problem):
+    def error(least_squares):
+        result = solve(problem, noise_bound=0.1, least_squares=least_squares)
+        images = result.target_from_source.apply(problem.source[result.inliers])
+        residuals = problem.target[result.inliers] - images
+        return np.square(residuals).mean(), len(result.inliers)
+
+    (held, most), (fitted, fewer) = error(False), error(True)
+    assert fitted < held
+    assert fewer <= most
 
 
 def test_num_hypotheses_returns_alternatives():

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from paper.figures.real import TITLES
 from paper.figures.registry import figure_of
 from paper.figures.structured import success_summary
-from paper.figures.style import COLUMN_WIDTH, REFERENCE, draw_curves, methods_of, shared_legend
+from paper.figures.style import COLUMN_WIDTH, FITS, draw_curves, methods_of, shared_legend
 
 
 @figure_of("noise", "Pairs registered over the noise bound, as a multiple of the customary one")
@@ -20,7 +20,7 @@ def draw(records: Sequence[dict]) -> Figure:
     )
     for panel, (set_name, title) in zip(panels, TITLES.items(), strict=True):
         group = [record for record in records if record["set"] == set_name]
-        draw_curves(panel, group, "bound_factor", success_summary, methods_of(group, [REFERENCE]))
+        draw_curves(panel, group, "bound_factor", success_summary, methods_of(group, FITS))
         panel.set(title=title, xscale="log", xlabel="noise bound / customary", ylim=(-4, 104))
         factors = sorted({record["bound_factor"] for record in group})
         panel.set_xticks(factors, [f"{factor:g}" for factor in factors])

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from paper.figures.registry import figure_of
 from paper.figures.style import (
     COLUMN_WIDTH,
-    REFERENCE,
+    FITS,
     line_style,
     methods_of,
     plain_ticks,
@@ -32,7 +32,7 @@ def draw(records: Sequence[dict]) -> Figure:
     )
     for panel, (set_name, title) in zip(panels, TITLES.items(), strict=True):
         group = [record for record in records if record["set"] == set_name]
-        for method in methods_of(group, [REFERENCE]):
+        for method in methods_of(group, FITS):
             mine = [record for record in group if record["method"] == method]
             limit = 1e3 * mine[0]["time_limit"]
             time = quartiles([min(value, limit) for value in times_ms(mine)])

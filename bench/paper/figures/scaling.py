@@ -12,7 +12,7 @@ from reports.records import group_by
 from paper.figures.registry import figure_of
 from paper.figures.style import (
     COLUMN_WIDTH,
-    REFERENCE,
+    FITS,
     draw_curves,
     line_style,
     methods_of,
@@ -46,7 +46,7 @@ def draw(records: Sequence[dict]) -> Figure:
 
 
 def _draw_times(axis: Axes, records: Sequence[dict], field: str, factor: float = 1.0) -> None:
-    methods = methods_of(records, [REFERENCE])
+    methods = methods_of(records, FITS)
     limit = 1e3 * max(record["time_limit"] for record in records)
     draw_curves(axis, records, field, time_summary, methods, factor, limit)
     for method in methods:

@@ -13,7 +13,7 @@ from reports.records import values_of
 from paper.figures.registry import figure_of
 from paper.figures.style import (
     COLUMN_WIDTH,
-    REFERENCE,
+    FITS,
     draw_curves,
     methods_of,
     plain_ticks,
@@ -38,7 +38,7 @@ def draw(records: Sequence[dict]) -> Figure:
         2, 2, figsize=(COLUMN_WIDTH, 3.9), sharex=True, layout="constrained"
     )
     (difference, share), (error, success) = panels
-    rivals = methods_of(structured, [REFERENCE])
+    rivals = methods_of(structured, FITS)
     draw_curves(difference, records, "outlier_rate", difference_summary, rivals, 100)
     draw_curves(share, structured, "outlier_rate", share_summary, rivals, 100)
     draw_curves(

@@ -22,9 +22,10 @@ COLUMN_WIDTH = 3.5  # inches
 STYLES = {
     # method: label, colour, marker, dashes
     "gmcr": ("gmcr", "#000000", "o", "-"),
+    "gmcr-fit": ("gmcr-fit", "#56b4e9", "h", (0, (7, 1))),
     "gmcr-count": ("gmcr-count", "#0072b2", "s", (0, (5, 1))),
     "gmcr-paper": ("gmcr-paper", "#d55e00", "^", (0, (3, 1, 1, 1))),
-    "gmcr-exact": ("gmcr-exact", "#56b4e9", "*", (0, (1, 1))),
+    "gmcr-exact": ("gmcr-exact", "#f0b800", "*", (0, (1, 1))),
     "open3d-ransac": ("RANSAC (Open3D)", "#009e73", "v", (0, (4, 2))),
     "ransac10k": ("RANSAC10k", "#cc79a7", "D", (0, (1, 1.5))),
     "open3d-fgr": ("FGR (Open3D)", "#e69f00", "P", (0, (6, 2, 1, 2))),
@@ -32,7 +33,7 @@ STYLES = {
     "teaser++": ("TEASER++", "#a6761d", ">", (0, (5, 2, 2, 2))),
     "least-squares": ("true inliers", "#999999", "", (0, (1, 3))),
 }
-REFERENCE = "least-squares"  # no competitor: it knows the inliers
+FITS = ("gmcr-fit", "least-squares")  # to inliers that are known: no search to be compared
 
 pyplot.rcParams.update(
     {

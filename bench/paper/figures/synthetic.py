@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from paper.figures.registry import figure_of
 from paper.figures.style import (
     COLUMN_WIDTH,
-    REFERENCE,
+    FITS,
     draw_curves,
     methods_of,
     plain_ticks,
@@ -34,7 +34,7 @@ def draw(records: Sequence[dict]) -> Figure:
         records,
         "outlier_rate",
         time_summary,
-        methods_of(records, [REFERENCE]),
+        methods_of(records, FITS),
         100,
         limit,
     )

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "estimation/pose_constraints.hpp"
+#include "registration/objective.hpp"
+
+namespace gmcr {
+
+/// Least-squares fit to the consensus set of a pose, and to that of the fit, until it stays the
+/// same or 20 fits were made. Cost O(N) a fit.
+/// @param start  between the centred frames, as the result.
+/// @return the last fit that the constraints admit and that holds at least 3; `start` where there
+///   is none.
+Similarity fit_to_consensus(const Objective& objective, const PoseConstraints& constraints,
+                            const Similarity& start);
+
+}  // namespace gmcr
