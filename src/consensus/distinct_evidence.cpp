@@ -1,7 +1,6 @@
 #include "consensus/distinct_evidence.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -18,17 +17,10 @@ double max_scale_of(const Correspondences& c, Index i, Index j, double reach) {
 
 }  // namespace
 
-double DistinctEvidence::octave(double scale) {
-  if (scale == 0 || std::isinf(scale)) return scale;
-  constexpr double kSqrtHalf = 0.70710678118654752;
-  int exponent = 0;
-  const double mantissa = std::frexp(scale, &exponent);  // in [0.5, 1)
-  return std::ldexp(1.0, mantissa < kSqrtHalf ? exponent - 1 : exponent);
-}
-
 DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
-                                   const ScaleRange& scales) {
-  const ScaleRange octaves{octave(scales.min), octave(scales.max)};
+                                   const Octaves& octaves, const ScaleRange& scales)
+    : octaves_(octaves) {
+  const ScaleRange centres{octaves.centre_of(scales.min), octaves.centre_of(scales.max)};
   const Correspondences& c = correspondences;
   const Eigen::ArrayXd reaches = kReach * c.bounds;
   const auto n = static_cast<std::size_t>(c.size());
@@ -40,11 +32,11 @@ DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::
   complete_ = for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
     num_near += 2;
     const double max_scale = max_scale_of(c, i, j, reach);
-    if (max_scale >= octaves.max) {
+    if (max_scale >= centres.max) {
       ++always_[at(i)];
       ++always_[at(j)];
       has_partners_ = true;
-    } else if (max_scale >= octaves.min) {
+    } else if (max_scale >= centres.min) {
       ++first_[at(i) + 1];
       ++first_[at(j) + 1];
     }
@@ -59,7 +51,7 @@ DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::
   std::vector<std::size_t> next(first_.begin(), first_.end());
   for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
     const double max_scale = max_scale_of(c, i, j, reach);
-    if (max_scale < octaves.max && max_scale >= octaves.min) {
+    if (max_scale < centres.max && max_scale >= centres.min) {
       max_scales_[next[at(i)]++] = max_scale;
       max_scales_[next[at(j)]++] = max_scale;
     }
@@ -73,12 +65,12 @@ DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::
 
 double DistinctEvidence::weight(Index i, double scale) const {
   if (!complete_) return 1;
-  const double nearest = octave(scale);
+  const double centre = octaves_.centre_of(scale);
   const auto place = static_cast<std::size_t>(i);
   const auto begin = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place]);
   const auto end = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place + 1]);
   const auto listed =
-      std::partition_point(begin, end, [&](double max_scale) { return nearest <= max_scale; }) -
+      std::partition_point(begin, end, [&](double max_scale) { return centre <= max_scale; }) -
       begin;
   return 1.0 / (1.0 + static_cast<double>(always_[place] + listed));
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "consensus/octaves.hpp"
 #include "gmcr/options.hpp"
 #include "invariants/correspondences.hpp"
 
@@ -17,7 +18,7 @@ namespace gmcr {
 /// Correspondence i weighs
 ///   w_i(s) = 1 / (1 + number of its partners at scale s),
 /// partners being the pairs with |bbar_k| <= kReach eps_k and o |abar_k| <= kReach eps_k, where o
-/// is the power of two nearest to s: were it s itself, partners would be lost one by one as s
+/// is the centre of the octave of s: were it s itself, partners would be lost one by one as s
 /// grows, and the pose of most evidence would be one whose scale is some per cent too large.
 class DistinctEvidence {
  public:
@@ -25,18 +26,15 @@ class DistinctEvidence {
   /// these are few; farther ones would take dense inliers for copies.
   static constexpr double kReach = 1.5;
 
-  /// The power of two nearest to a scale by their ratio; 0 and infinity stay what they are.
-  static double octave(double scale);
-
   static constexpr ScaleRange kAllScales{0, std::numeric_limits<double>::infinity()};
 
   /// Finds all pairs that can be partners at some scale in the range. Cost O(N log N + pairs of
   /// near targets).
   /// @param max_bytes  for the pairs of near targets, as if all were listed. Where it does not
   ///   suffice, `complete()` is false and every weight is 1.
-  /// @param scales     at which weights are asked for; at one scale nothing is listed.
+  /// @param scales     at which weights are asked for; in one octave nothing is listed.
   DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
-                   const ScaleRange& scales = kAllScales);
+                   const Octaves& octaves, const ScaleRange& scales = kAllScales);
 
   bool complete() const { return complete_; }
 
@@ -51,6 +49,7 @@ class DistinctEvidence {
   double weight(Index i, double scale) const;
 
  private:
+  Octaves octaves_;
   bool complete_ = true;
   bool has_partners_ = false;
   std::vector<Index> always_;       ///< partners at every scale in the range

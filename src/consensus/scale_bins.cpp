@@ -15,16 +15,21 @@ std::uint64_t cell_of(double scale) {
 
 }  // namespace
 
-ScaleBins::ScaleBins(const ScaleRange& range, double ratio) : first_cell_(cell_of(range.min)) {
-  const double log_min = std::log(range.min), log_span = std::log(range.max) - log_min;
-  const double log_ratio = std::max(std::log(ratio), log_span / static_cast<double>(kMaxBins));
-  const double count = std::ceil(log_span / log_ratio - 1e-9);
+ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const Octaves& octaves)
+    : first_cell_(cell_of(range.min)) {
+  const double span = std::log2(range.max) - std::log2(range.min);
+  // the widest range of all has 2,098 octaves
+  const double num_that_fit = std::floor(static_cast<double>(kMaxBins - 1) / span);
+  const int num_in_octave =
+      static_cast<int>(std::min(std::round(1 / std::log2(ratio)), num_that_fit));
   edges_.push_back(range.min);
-  for (double b = 1; b < count; ++b) {
-    const double next = std::exp(log_min + b * log_ratio);
+  const double octave = std::floor(std::log2(range.min) - std::log2(octaves.edge(0, 1)));
+  for (int k = num_in_octave * static_cast<int>(octave);; ++k) {
+    const double next = octaves.edge(k, num_in_octave);
+    if (next >= range.max) break;
     // no two edges between bins in one cell
     const bool is_alone = edges_.size() == 1 || cell_of(next) != cell_of(edges_.back());
-    if (is_alone && next > edges_.back() && next < range.max) edges_.push_back(next);
+    if (is_alone && next > edges_.back()) edges_.push_back(next);
   }
   edges_.push_back(range.max);
 

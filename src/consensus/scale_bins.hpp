@@ -3,19 +3,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "consensus/octaves.hpp"
 #include "gmcr/options.hpp"
 #include "kernels/scale_row.hpp"
 
 namespace gmcr {
 
-/// A range of scales cut into bins of equal ratio.
+/// A range of scales cut into bins of equal ratio, so many to an octave that each octave ends with
+/// a bin: within a bin the weights of evidence are the same.
 class ScaleBins {
  public:
   static constexpr Index kMaxBins = 4096;
 
-  /// @param ratio  upper over lower edge of a bin, at least 1.01; larger where the range would have
-  ///   more than kMaxBins of that. The last bin may be narrower.
-  ScaleBins(const ScaleRange& range, double ratio);
+  /// @param ratio  upper over lower edge of a bin, about, in [1.01, 2]: octaves are divided evenly.
+  ///   It is larger where the range would have more than kMaxBins of that. The first and the last
+  ///   bin may be narrower.
+  ScaleBins(const ScaleRange& range, double ratio, const Octaves& octaves = Octaves(1));
 
   Index size() const { return static_cast<Index>(edges_.size()) - 1; }
   ScaleRange operator[](Index bin) const { return {edge(bin), edge(bin + 1)}; }

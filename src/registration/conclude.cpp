@@ -55,7 +55,8 @@ void conclude(Result& result, SolveContext& context, const MethodResult& found,
   // where all were used, their weights are known
   const bool all_used = objective.correspondences().size() == input.size();
   const Objective on_input(input, all_used ? Evidence::Count : options.evidence,
-                           options.budget.memory / 4);
+                           options.budget.memory / 4, DistinctEvidence::kAllScales,
+                           objective.octaves());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");

@@ -5,6 +5,7 @@
 #include "registration/degeneracy.hpp"
 #include "registration/input.hpp"
 #include "registration/objective.hpp"
+#include "registration/scale_search.hpp"
 #include "registration/uncertainty.hpp"
 
 namespace gmcr {
@@ -30,8 +31,9 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   require_given_noise(options);
   require_pose(target_from_source);
   const Correspondences input = correspondences_of(source, target, options);
-  const Hypothesis judged =
-      Objective(input, options.evidence, options.budget.memory / 4).judge(target_from_source);
+  const Hypothesis judged = Objective(input, options.evidence, options.budget.memory / 4,
+                                      DistinctEvidence::kAllScales, octaves_of(options, input))
+                                .judge(target_from_source);
   return {judged.inliers, judged.evidence};
 }
 

@@ -20,12 +20,14 @@ bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b) {
 }
 
 Objective::Objective(const Correspondences& correspondences, Evidence evidence,
-                     std::size_t max_bytes, const ScaleRange& scales)
+                     std::size_t max_bytes, const ScaleRange& scales, const Octaves& octaves)
     : correspondences_(correspondences),
+      octaves_(octaves),
       source_(correspondences.source.transpose()),
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
-  if (evidence == Evidence::Distinct) distinct_.emplace(correspondences, max_bytes, scales);
+  if (evidence == Evidence::Distinct)
+    distinct_.emplace(correspondences, max_bytes, octaves, scales);
   if (is_weighted() && distinct_->depends_on_scale()) return;
   weights_.setOnes(correspondences.size());
   if (!is_weighted()) return;

@@ -34,11 +34,14 @@ class Objective {
  public:
   /// Keeps a reference to `correspondences`.
   /// @param max_bytes  memory that the evidence weights may take.
-  /// @param scales     where the scale of all poses lies; at one scale a weight costs nothing.
+  /// @param scales     where the scale of all poses lies; in one octave a weight costs nothing.
+  /// @param octaves    by which the weights differ.
   Objective(const Correspondences& correspondences, Evidence evidence, std::size_t max_bytes,
-            const ScaleRange& scales = DistinctEvidence::kAllScales);
+            const ScaleRange& scales = DistinctEvidence::kAllScales,
+            const Octaves& octaves = Octaves(1));
 
   const Correspondences& correspondences() const { return correspondences_; }
+  const Octaves& octaves() const { return octaves_; }
 
   /// Evidence that correspondence i gives at a scale, in (0, 1].
   double weight(Index i, double scale) const {
@@ -65,6 +68,7 @@ class Objective {
 
  private:
   const Correspondences& correspondences_;
+  Octaves octaves_;
   Eigen::MatrixX3d source_, target_;
   Eigen::ArrayXd squared_bounds_;
   std::optional<DistinctEvidence> distinct_;

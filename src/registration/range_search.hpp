@@ -41,6 +41,7 @@ class PoseSearch {
 
   SolveContext& context() { return context_; }
   const ScaleRange& scales() const { return constraints_.scales; }
+  const Octaves& octaves() const { return objective_.octaves(); }
   double weight(Index i, double scale) const { return objective_.weight(i, scale); }
   const kernels::CorrespondenceArrays& arrays() const { return arrays_; }
 

@@ -118,7 +118,8 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 
   const Objective objective = [&] {
     const StageTimer timer(context, "evidence");
-    return Objective(centred, options.evidence, options.budget.memory / 4, scales);
+    return Objective(centred, options.evidence, options.budget.memory / 4, scales,
+                     octaves_of(options, input));
   }();
   if (!objective.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");

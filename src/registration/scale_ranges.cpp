@@ -69,7 +69,7 @@ bool agree_at_one_scale(const kernels::CorrespondenceArrays& arrays,
 }  // namespace
 
 VotedBins::VotedBins(PoseSearch& search)
-    : bins_(search.scales(), kBinRatio),
+    : bins_(search.scales(), kBinRatio, search.octaves()),
       votes_(count_votes(search, bins_)),
       num_pairs_(search.arrays().size() * (search.arrays().size() - 1) / 2) {}
 

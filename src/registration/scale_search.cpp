@@ -66,16 +66,26 @@ double median_reach(const Points& points) {
   return median({distances.begin(), distances.end()});
 }
 
+double ratio_of(double source, double target) {
+  return source > 0 && target > 0 ? target / source : 1;
+}
+
 }  // namespace
+
+double typical_scale(const Correspondences& correspondences) {
+  return ratio_of(median_reach(correspondences.source), median_reach(correspondences.target));
+}
+
+Octaves octaves_of(const Options& options, const Correspondences& input) {
+  const double middle =
+      options.scale_mode == ScaleMode::Known ? options.scale : typical_scale(input);
+  return Octaves(std::isnormal(middle) ? middle : 1);
+}
 
 ScaleRange default_scale_range(const Correspondences& correspondences) {
   // the median withstands a few points far out; the mean square sees a far minority of both clouds
-  const auto ratio_of = [](double source, double target) {
-    return source > 0 && target > 0 ? target / source : 1;
-  };
   const double by_norm = ratio_of(correspondences.source.norm(), correspondences.target.norm());
-  const double by_median =
-      ratio_of(median_reach(correspondences.source), median_reach(correspondences.target));
+  const double by_median = typical_scale(correspondences);
   return {std::min(by_norm, by_median) / kSizeFactor, std::max(by_norm, by_median) * kSizeFactor};
 }
 

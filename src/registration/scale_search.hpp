@@ -4,6 +4,13 @@
 
 namespace gmcr {
 
+/// Ratio of the sizes of the clouds: of the median distances from their median points; 1 where one
+/// of them has none.
+double typical_scale(const Correspondences& correspondences);
+
+/// Octaves of which one has the known scale, or the typical one of all of the input, in its middle.
+Octaves octaves_of(const Options& options, const Correspondences& input);
+
 /// Where an unknown scale is searched for when the caller does not say: within a factor of 20 of
 /// the ratios of the clouds' sizes, by their medians and by their mean squares.
 ScaleRange default_scale_range(const Correspondences& correspondences);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "consensus/octaves.hpp"
 
 namespace gmcr {
 namespace {
@@ -19,9 +22,19 @@ TEST(ScaleBins, CoverTheRangeWithoutGaps) {
   EXPECT_EQ(bins[0].min, 0.3);
   EXPECT_EQ(bins[bins.size() - 1].max, 7);
   for (Index bin = 0; bin < bins.size(); ++bin) {
-    EXPECT_LE(bins[bin].max / bins[bin].min, 1.1 + 1e-9);
+    EXPECT_LE(bins[bin].max / bins[bin].min, std::exp2(1.0 / 7) * (1 + 1e-9));  // 1.104
     if (bin == 0) continue;
     EXPECT_EQ(bins[bin].min, bins[bin - 1].max);
+  }
+}
+
+TEST(ScaleBins, HoldNoTwoOctaves) {
+  for (const ScaleRange& range : {ScaleRange{0.3, 7}, {1, 1.05}, {1.4, 1.42}, {1e-9, 1e9}}) {
+    const ScaleBins bins(range, 1.02, Octaves(0.8));
+    for (Index bin = 0; bin < bins.size(); ++bin) {
+      const double above = bins[bin].min * (1 + 1e-13);
+      EXPECT_EQ(Octaves(0.8).centre_of(above), Octaves(0.8).centre_of(bins[bin].max));
+    }
   }
 }
 
@@ -34,7 +47,7 @@ TEST(ScaleBins, OfOneScaleAreOneBin) {
 
 TEST(ScaleBins, NameTheBinOfEachScaleInTheirTable) {
   for (const ScaleRange& range : {ScaleRange{0.3, 7}, {1, 1.05}, {1, 1.001}, {0.999, 1.001}}) {
-    const ScaleBins bins(range, 1.02);
+    const ScaleBins bins(range, 1.02, Octaves(0.8));
     for (int k = 0; k <= 1000; ++k) {
       const double scale = range.min + (range.max - range.min) * k / 1000.0;
       const kernels::BinSpan span = kernels::covered_bins(bins.cells(), scale, scale, 0);
