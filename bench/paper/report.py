@@ -58,7 +58,8 @@ def compose(out: Path, figures: Path, base: Path) -> str:
         text += TABLES[name](group) + "\n"
     text += "### Where we lose\n\n" + DISCUSSION.read_text() + "\n"
     text += (
-        "All groups of runs in which a method was right more often than `gmcr`; or as often, and a "
+        "All groups of runs in which a method (the exact search aside) was right more often than "
+        "`gmcr`; or as often, and a "
         "rival in less time, or with a median error that is at least a fifth smaller (degrees for "
         "real and noise, else metres; over all runs):\n\n"
     )

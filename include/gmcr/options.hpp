@@ -81,7 +81,8 @@ struct Options {
   /// inliers and the certificate still speak of all.
   bool one_to_one = false;
   /// Return the least-squares fit to the inliers, fitted again until they stay the same, instead of
-  /// the pose that holds the most: closer to the truth where the bound is loose. The inliers, the
+  /// the pose that holds the most: closer to the truth where the bound is several times the noise,
+  /// farther where it is hardly larger, since the fit gives up inliers near it. The inliers, the
   /// evidence and the lower bounds are those of the fit, so fewer consensus sets are certified.
   bool least_squares = false;
 

@@ -72,7 +72,7 @@ void bind_solver_options(nb::module_& module) {
       .field(
           "least_squares", &Options::least_squares,
           "Return the least-squares fit to the inliers instead of the pose that holds the most:\n"
-          "closer to the truth where the bound is loose, seldom certified.")
+          "closer to the truth where the bound is several times the noise, less often certified.")
       .field("num_hypotheses", &Options::num_hypotheses,
              "Poses to return, >= 1: the best one and alternatives.")
       .field("certify", &Options::certify,

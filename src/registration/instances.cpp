@@ -62,17 +62,25 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
       break;
     }
     if (!found.empty() && static_cast<Index>(left.size()) < instances.min_inliers) break;
-    Result result = register_correspondences(source(Eigen::all, left), target(Eigen::all, left),
-                                             options_of(options, left, deadline.remaining()));
+    const auto solve = [&](bool least_squares) {
+      Options some = options_of(options, left, deadline.remaining());
+      some.least_squares = least_squares;
+      return register_correspondences(source(Eigen::all, left), target(Eigen::all, left), some);
+    };
+    // what a least-squares fit leaves out would be found again as one more instance
+    Result result = solve(false);
     const bool is_instance =
         result.status == Status::Ok &&
         static_cast<Index>(result.inliers.size()) >= instances.min_inliers &&
         (found.empty() || result.evidence >= instances.min_share * found.front().evidence);
     if (!found.empty() && !is_instance) break;
+    std::vector<Index> taken = result.inliers;
+    renumber(taken, left);
+    if (options.least_squares) result = solve(true);
     renumber(result.inliers, left);
     for (Alternative& alternative : result.alternatives) renumber(alternative.inliers, left);
     std::vector<Index> rest;
-    std::set_difference(left.begin(), left.end(), result.inliers.begin(), result.inliers.end(),
+    std::set_difference(left.begin(), left.end(), taken.begin(), taken.end(),
                         std::back_inserter(rest));
     left = std::move(rest);
     found.push_back(std::move(result));

@@ -106,7 +106,26 @@ TEST(LeastSquares, LeavesTheEstimatedNoiseBoundAsItIs) {
       least_squares_of(problem, fitted.inliers, 1), 1e-9));
 }
 
-TEST(LeastSquares, OfAlternativesAndInstancesToo) {
+TEST(LeastSquares, FindsTheInstancesThatTheSearchFinds) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Problem problem = random_problem(seed, 60, 0);
+    const Problem other = random_problem(seed + 100, 60, 0);
+    problem.source.conservativeResize(3, 120);
+    problem.target.conservativeResize(3, 120);
+    problem.source.rightCols(60) = other.source;
+    problem.target.rightCols(60) = other.target;
+    Options options = problem.options();
+    options.least_squares = true;
+    const auto found = register_instances(problem.source, problem.target, options);
+    ASSERT_EQ(found.size(), 2u);
+    for (const Result& instance : found) {
+      EXPECT_TRUE(instance.target_from_source.matrix().isApprox(
+          least_squares_of(problem, instance.inliers, 1), 1e-9));
+    }
+  }
+}
+
+TEST(LeastSquares, OfAlternativesToo) {
   Problem problem = random_problem(5, 40, 0);
   const Problem other = random_problem(6, 30, 0);
   problem.source.conservativeResize(3, 70);
