@@ -11,11 +11,13 @@ class Octaves {
   /// @param centre  of one of the octaves, > 0, finite.
   explicit Octaves(double centre) : centre_(centre) {}
 
-  /// Centre of the octave of a scale, >= 0; 0 and infinity stay what they are.
+  /// Centre of the octave of a scale, >= 0. It does not fall as the scale grows. Scales whose ratio
+  /// to the centre is no double, such as 0 and infinity, stay what they are.
   double centre_of(double scale) const {
-    if (scale == 0 || std::isinf(scale)) return scale;
+    const double ratio = scale / centre_;
+    if (ratio == 0 || std::isinf(ratio)) return scale;
     int exponent = 0;
-    const double mantissa = std::frexp(scale / centre_, &exponent);  // in [0.5, 1)
+    const double mantissa = std::frexp(ratio, &exponent);  // in [0.5, 1)
     return std::ldexp(centre_, mantissa < kSqrtHalf ? exponent - 1 : exponent);
   }
 

@@ -26,8 +26,9 @@ Objective::Objective(const Correspondences& correspondences, Evidence evidence,
       source_(correspondences.source.transpose()),
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
-  if (evidence == Evidence::Distinct)
+  if (evidence == Evidence::Distinct) {
     distinct_.emplace(correspondences, max_bytes, octaves, scales);
+  }
   if (is_weighted() && distinct_->depends_on_scale()) return;
   weights_.setOnes(correspondences.size());
   if (!is_weighted()) return;

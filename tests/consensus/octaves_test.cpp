@@ -21,6 +21,17 @@ TEST(Octaves, HoldTheScalesNearestToAPowerOfTwo) {
   EXPECT_EQ(octaves.centre_of(Limits::infinity()), Limits::infinity());
 }
 
+TEST(Octaves, AscendWithTheScaleAsFarAsThereAreDoubles) {
+  for (const double centre : {1e-300, 1e-10, 1.0, 1e10, 1e300}) {
+    double below = 0;
+    for (int exponent = -1074; exponent < 1024; ++exponent) {
+      const double at = Octaves(centre).centre_of(std::ldexp(1.3, exponent));
+      EXPECT_GE(at, below);
+      below = at;
+    }
+  }
+}
+
 TEST(Octaves, MoveWithTheirCentre) {
   for (const double centre : {1e-3, 0.3, 1.0, 7.0, 1e6}) {
     const Octaves octaves(centre);
