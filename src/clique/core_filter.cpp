@@ -19,12 +19,12 @@ int threads_for(RowsView graph, int num_threads) {
 
 std::vector<Index> degrees_of(RowsView graph, int num_threads) {
   std::vector<Index> degree(graph.num_vertices);
-  parallel_for(graph.num_vertices, 4 * kBitsPerWord, threads_for(graph, num_threads),
-               [&](Index begin, Index end) {
-                 for (Index v = begin; v < end; ++v) {
-                   degree[v] = kernels::count_bits(graph.row(v), graph.words_per_row);
-                 }
-               });
+  parallel::parallel_for(graph.num_vertices, 4 * kBitsPerWord, threads_for(graph, num_threads),
+                         [&](Index begin, Index end) {
+                           for (Index v = begin; v < end; ++v) {
+                             degree[v] = kernels::count_bits(graph.row(v), graph.words_per_row);
+                           }
+                         });
   return degree;
 }
 
@@ -40,7 +40,7 @@ std::vector<Word> drop_small_degrees(RowsView graph, std::span<const Index> degr
     if (num_dropped * kMinDroppedShare < num_alive) break;
     if (!budget.spend_work(num_alive * words)) break;
     // a chunk writes one word of `next`
-    parallel_for(
+    parallel::parallel_for(
         graph.num_vertices, kBitsPerWord, threads_for(graph, num_threads), [&](Index begin, Index) {
           Word kept = 0;
           for (Word rest = alive[begin / kBitsPerWord]; rest != 0; rest &= rest - 1) {

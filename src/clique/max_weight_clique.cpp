@@ -21,7 +21,8 @@ class Solver {
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
-        budget_(Deadline(options.time_limit, options.stop), options.max_nodes, options.max_work),
+        budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes,
+                options.max_work),
         num_threads_(options.num_threads),
         max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}

@@ -97,8 +97,8 @@ void RootSearch::advance_all(int num_threads) {
                                              static_cast<std::uint64_t>(nodes_per_round))));
   }
   const Index to_beat = incumbent_.to_beat();
-  parallel_for(count, 1, num_threads,
-               [&](Index i, Index) { active_[i]->advance(to_beat, parts[i]); });
+  parallel::parallel_for(count, 1, num_threads,
+                         [&](Index i, Index) { active_[i]->advance(to_beat, parts[i]); });
   std::vector<std::unique_ptr<Subproblem>> unfinished;
   for (Index i = 0; i < count; ++i) {
     budget_.take(parts[i]);

@@ -16,12 +16,13 @@ class SearchBudget {
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
   /// @param max_work  word operations; counted in steps of about 0.1 ms.
-  SearchBudget(Deadline deadline, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
+  SearchBudget(parallel::Deadline deadline, std::uint64_t max_nodes,
+               std::uint64_t max_work = kNoLimit)
       : deadline_(std::move(deadline)), max_nodes_(max_nodes), max_work_(max_work) {}
 
   /// @param time_limit  seconds from now.
   SearchBudget(double time_limit, std::uint64_t max_nodes, std::uint64_t max_work = kNoLimit)
-      : SearchBudget(Deadline(time_limit), max_nodes, max_work) {}
+      : SearchBudget(parallel::Deadline(time_limit), max_nodes, max_work) {}
 
   /// Takes one search node that costs about `num_words` word operations.
   /// @return false where the budget is spent; from then on always.
@@ -78,7 +79,7 @@ class SearchBudget {
  private:
   static constexpr Index kWordsPerPoll = Index{1} << 18;  // about 0.1 ms of work
 
-  Deadline deadline_;
+  parallel::Deadline deadline_;
   std::uint64_t max_nodes_;
   std::uint64_t max_work_;
   std::uint64_t nodes_ = 0;

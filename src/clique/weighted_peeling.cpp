@@ -61,7 +61,7 @@ void WeightedPeeling::sum_neighborhoods() {
   for (Index first = 0; first < words; first += kWordsPerRound) {
     const Index last = std::min(words, first + kWordsPerRound);
     if (!budget_->spend_work(count_bits(alive_.data() + first, last - first) * words)) return;
-    parallel_for(last - first, 1, num_threads_, [&](Index begin, Index end) {
+    parallel::parallel_for(last - first, 1, num_threads_, [&](Index begin, Index end) {
       for_each_bit(alive_.data() + first + begin, end - begin, [&](Index bit) {
         const Index v = (first + begin) * kBitsPerWord + bit;
         neighborhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
