@@ -59,7 +59,9 @@ void conclude(Result& result, SolveContext& context, const MethodResult& found,
                            objective.octaves());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
-    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+    context.limit(
+        {Limit::Memory,
+         "the memory budget does not suffice for distinct evidence: inliers were counted"});
     evidence_upper_bound = static_cast<double>(found.upper_bound);
   }
   std::vector<Hypothesis> judged =

@@ -122,7 +122,9 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
                      octaves_of(options, input));
   }();
   if (!objective.weights_complete()) {
-    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+    context.limit(
+        {Limit::Memory,
+         "the memory budget does not suffice for distinct evidence: inliers were counted"});
   }
   const PoseConstraints constraints{scales, options.priors, centred.source_origin,
                                     centred.target_origin};

@@ -30,14 +30,15 @@ Deadline certify_deadline(PoseSearch& search, Measure measure) {
 double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, double upper_bound,
                const Deadline& deadline) {
   if (deadline.expired()) {
-    if (search.certifies()) search.note_early_end(measure, kEndedEarly);
+    if (search.certifies()) search.note_early_end(measure, {Limit::ConsensusSearch, kEndedEarly});
     return upper_bound;
   }
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
   if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
       search.context().options().budget.memory) {
-    search.context().limit("the memory budget leaves no room to tighten the bounds");
+    search.context().limit(
+        {Limit::Memory, "the memory budget leaves no room to tighten the bounds"});
     return upper_bound;
   }
   const StageTimer timer(search.context(), "certify");
@@ -65,7 +66,7 @@ double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, dou
   }
   upper_bound = std::max(upper_bound, search.to_beat(measure));
   if (exceeds(upper_bound, search.to_beat(measure)) && deadline.expired()) {
-    search.note_early_end(measure, kEndedEarly);
+    search.note_early_end(measure, {Limit::ConsensusSearch, kEndedEarly});
   }
   return upper_bound;
 }
