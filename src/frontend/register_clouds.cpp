@@ -101,20 +101,20 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   const parallel::Deadline deadline(options.budget.time, options.stop);
   CloudResult best;
   std::vector<StageTime> stages;
-  std::vector<std::string> limits;
+  std::vector<LimitHit> limits;
   int num_attempts = 0;
   for (const frontend::FrontendSetting& setting : frontend::list_settings(frontend)) {
     const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
     if (num_attempts > 0 && deadline.expired()) {
-      limits.push_back("the time budget ended the attempts at other settings");
+      limits.push_back({Limit::Time, "the time budget ended the attempts at other settings"});
       break;
     }
     Options remaining = options;
     remaining.budget.time = std::max(deadline.remaining(), parallel::kLeastSeconds);
     auto result = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
     if (!result) {
-      limits.push_back("the memory budget kept out an attempt with more matches");
+      limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
       continue;
     }
     add_stages(stages, result->matches.stages);

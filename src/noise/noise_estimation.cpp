@@ -92,10 +92,12 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
   diagnostics.total_seconds += search_seconds;
   diagnostics.num_clique_nodes += search.num_clique_nodes();
   if (search.late()) {
-    diagnostics.limits_hit.push_back("the time budget ended the search for a noise bound");
+    diagnostics.limits_hit.push_back(
+        {Limit::Time, "the time budget ended the search for a noise bound"});
   }
   if (search.cancelled()) {
-    diagnostics.limits_hit.push_back("the caller stopped the search for a noise bound");
+    diagnostics.limits_hit.push_back(
+        {Limit::Stopped, "the caller stopped the search for a noise bound"});
   }
   return result;
 }

@@ -97,8 +97,9 @@ Tims within_memory(problem::SolveContext& context, Tims tims) {
     count -= count / 16 + 1;
   }
   if (count == tims.size()) return tims;
-  context.limit("the memory budget let " + std::to_string(count) + " of " +
-                std::to_string(tims.size()) + " pairs into the rotation graph, the longest ones");
+  context.limit({Limit::Memory, "the memory budget let " + std::to_string(count) + " of " +
+                                    std::to_string(tims.size()) +
+                                    " pairs into the rotation graph, the longest ones"});
   std::vector<Index> order(static_cast<std::size_t>(tims.size()));
   std::iota(order.begin(), order.end(), Index{0});
   const Eigen::ArrayXd lengths = tims.source.colwise().squaredNorm();
@@ -150,7 +151,8 @@ search::MethodResult solve_paper(problem::SolveContext& context,
       translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
                             pruned->scale, rotation->rotation, kUnlimited);
   if (!rotation->proven || !translation.proven) {
-    context.limit("the clique search of a rotation or translation graph ended before its proof");
+    context.limit({Limit::CliqueSearch,
+                   "the clique search of a rotation or translation graph ended before its proof"});
   }
   if (constraints.priors.empty()) {
     result.poses.push_back({pruned->scale, rotation->rotation, translation.translation});

@@ -32,11 +32,11 @@ SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
 
 bool SolveContext::stopped() {
   if (cancelled_ || options_.stop.stop_requested()) {
-    limit("the caller stopped the search");
+    limit({Limit::Stopped, "the caller stopped the search"});
     return true;
   }
   if (!deadline_.expired()) return false;
-  limit("the time budget ended the search");
+  limit({Limit::Time, "the time budget ended the search"});
   return true;
 }
 
@@ -45,11 +45,9 @@ void SolveContext::report(const char* stage, double fraction) {
   cancelled_ = !options_.progress(Progress{stage, std::clamp(fraction, 0.0, 1.0)});
 }
 
-void SolveContext::limit(const std::string& sentence) {
+void SolveContext::limit(const LimitHit& hit) {
   auto& limits = diagnostics_.limits_hit;
-  if (std::find(limits.begin(), limits.end(), sentence) == limits.end()) {
-    limits.push_back(sentence);
-  }
+  if (std::find(limits.begin(), limits.end(), hit) == limits.end()) limits.push_back(hit);
 }
 
 SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index must_exceed,

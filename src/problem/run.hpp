@@ -30,7 +30,7 @@ class SolveContext {
   void report(const char* stage, double fraction);
 
   /// Notes a limit that made the work less than complete, once.
-  void limit(const std::string& sentence);
+  void limit(const LimitHit& hit);
 
   /// What a clique search, by number or by weight, found and proved.
   struct Clique {

@@ -27,22 +27,23 @@ parallel::Deadline certify_deadline(search::PoseSearch& search, search::Measure 
   return deadline.within(measure == search::Measure::Evidence ? remaining / 2 : remaining);
 }
 
-double tighten(search::PoseSearch& search, const search::RangeGraph& range, search::Measure measure,
-               double upper_bound, const parallel::Deadline& deadline) {
+double tighten(search::PoseSearch& search, const search::RangeGraph& range, search::Measure measure, double upper_bound,
+               const parallel::Deadline& deadline) {
   if (deadline.expired()) {
-    if (search.certifies()) search.note_early_end(measure, kEndedEarly);
+    if (search.certifies()) search.note_early_end(measure, {Limit::ConsensusSearch, kEndedEarly});
     return upper_bound;
   }
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
   if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
       search.context().options().budget.memory) {
-    search.context().limit("the memory budget leaves no room to tighten the bounds");
+    search.context().limit(
+        {Limit::Memory, "the memory budget leaves no room to tighten the bounds"});
     return upper_bound;
   }
-  const problem::StageTimer timer(search.context(), "certify");
+  const StageTimer timer(search.context(), "certify");
   // most problems are settled at once; of the others a part of the gap is, the larger the longer it
-  // takes: to show that nothing exceeds a high target is easier than a low one
+  // takes: to show that nothing search::exceeds a high target is easier than a low one
   constexpr double kParts[] = {0, 0.85, 0.7, 0.55, 0.4, 0.3, 0.2, 0.1, 0};
   constexpr double kFirstShare = 0.25;  // of the time
   const std::vector<double> weights = search.weights(measure, range.scales);
@@ -65,7 +66,7 @@ double tighten(search::PoseSearch& search, const search::RangeGraph& range, sear
   }
   upper_bound = std::max(upper_bound, search.to_beat(measure));
   if (search::exceeds(upper_bound, search.to_beat(measure)) && deadline.expired()) {
-    search.note_early_end(measure, kEndedEarly);
+    search.note_early_end(measure, {Limit::ConsensusSearch, kEndedEarly});
   }
   return upper_bound;
 }

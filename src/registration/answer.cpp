@@ -63,7 +63,9 @@ void conclude(Result& result, problem::SolveContext& context, const search::Meth
                                     problem::DistinctEvidence::kAllScales, objective.octaves());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
-    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+    context.limit(
+        {Limit::Memory,
+         "the memory budget does not suffice for distinct evidence: inliers were counted"});
     evidence_upper_bound = static_cast<double>(found.upper_bound);
   }
   std::vector<problem::Hypothesis> judged =

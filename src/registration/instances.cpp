@@ -58,7 +58,7 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
   while (static_cast<int>(found.size()) < instances.max_instances) {
     if (!found.empty() && deadline.expired()) {
       found.front().diagnostics.limits_hit.push_back(
-          "the time budget ended the search for further instances");
+          {Limit::Time, "the time budget ended the search for further instances"});
       break;
     }
     if (!found.empty() && static_cast<Index>(left.size()) < instances.min_inliers) break;

@@ -125,7 +125,9 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
                               search::octaves_of(options, input));
   }();
   if (!objective.weights_complete()) {
-    context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
+    context.limit(
+        {Limit::Memory,
+         "the memory budget does not suffice for distinct evidence: inliers were counted"});
   }
   const estimation::PoseConstraints constraints{scales, options.priors, centred.source_origin,
                                                 centred.target_origin};

@@ -157,7 +157,7 @@ void PoseSearch::explain(const UpperBounds& bounds) {
   for (const auto& [measure, sentences] : early_ends_) {
     const double bound = measure == Measure::Inliers ? bounds.inliers : bounds.evidence;
     if (!exceeds(bound, to_beat(measure))) continue;
-    for (const std::string& sentence : sentences) context_.limit(sentence);
+    for (const auto& [sentence, limit] : sentences) context_.limit({limit, sentence});
   }
 }
 
@@ -264,10 +264,13 @@ double search_clique(PoseSearch& search, const RangeGraph& range, Measure measur
   if (!vertices.empty()) search.offer(vertices);
   if (!proven) {
     search.note_early_end(
-        measure, measure == Measure::Inliers
-                     ? "a clique search ended before its proof: the upper bound may be loose"
-                     : "a search for the clique of most evidence ended before its proof: the bound "
-                       "on the evidence may be loose");
+        measure,
+        measure == Measure::Inliers
+            ? LimitHit{Limit::CliqueSearch,
+                       "a clique search ended before its proof: the upper bound may be loose"}
+            : LimitHit{Limit::EvidenceSearch,
+                       "a search for the clique of most evidence ended before its proof: the bound "
+                       "on the evidence may be loose"});
   }
   return proven && vertices.empty() ? to_beat : upper_bound;
 }

@@ -65,8 +65,8 @@ class PoseSearch {
   }
 
   /// Notes why a bound on the measure may be loose.
-  void note_early_end(Measure measure, const std::string& sentence) {
-    early_ends_[measure].insert(sentence);
+  void note_early_end(Measure measure, const LimitHit& hit) {
+    early_ends_[measure].emplace(hit.sentence, hit.limit);
   }
 
   /// Tells the diagnostics of the early ends, for each bound that exceeds what was achieved.
@@ -100,7 +100,7 @@ class PoseSearch {
   double max_evidence_ = 0;
   std::set<std::vector<Index>> examined_;  ///< cliques
   std::set<std::vector<Index>> reached_;   ///< consensus sets
-  std::map<Measure, std::set<std::string>> early_ends_;
+  std::map<Measure, std::map<std::string, Limit>> early_ends_;
 };
 
 /// The consistency graph of a range of scales, less the pairs that the filter does not admit.

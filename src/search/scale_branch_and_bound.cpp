@@ -131,7 +131,8 @@ double ScaleRanges::lower(Measure measure, bool jointly) {
   for (Index num_graphs = 0;
        exceeds(of(ranges_.front().bounds, measure), search_.to_beat(measure));) {
     if (num_graphs == max_graphs) {
-      search_.note_early_end(measure, "the search over the scale ended before its proof");
+      search_.note_early_end(
+          measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
       break;
     }
     if (search_.context().stopped()) break;
@@ -188,7 +189,7 @@ void ScaleRanges::search_inliers(Range& range, const RangeGraph& graph) {
       return search_.context().max_clique(graph.graph, static_cast<Index>(to_beat), kMaxNodes);
     }();
     if (!clique.empty()) search_.offer(clique);
-    if (!proven) search_.note_early_end(Measure::Inliers, kEndedEarly);
+    if (!proven) search_.note_early_end(Measure::Inliers, {Limit::CliqueSearch, kEndedEarly});
     range.bounds.inliers =
         std::min(range.bounds.inliers, proven && clique.empty() ? to_beat : upper_bound);
     if (agree_at_one_scale(search_.arrays(), clique, range.scales)) {

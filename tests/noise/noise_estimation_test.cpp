@@ -145,7 +145,7 @@ TEST(NoiseEstimation, KeepsToTheTimeAndSaysSo) {
   options.budget.time = 1e-9;
   const Result result = register_correspondences(problem.source, problem.target, options);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
-  EXPECT_EQ(result.diagnostics.limits_hit.back(),
+  EXPECT_EQ(result.diagnostics.limits_hit.back().sentence,
             "the time budget ended the search for a noise bound");
 }
 

@@ -92,8 +92,8 @@ TEST(PaperMethod, SaysWhenTheMemoryBudgetKeepsPairsOut) {
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_EQ(result.status, Status::Ok);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
-  EXPECT_NE(result.diagnostics.limits_hit[0].find("of 3160 pairs"), std::string::npos)
-      << result.diagnostics.limits_hit[0];
+  EXPECT_NE(result.diagnostics.limits_hit[0].sentence.find("of 3160 pairs"), std::string::npos)
+      << result.diagnostics.limits_hit[0].sentence;
 }
 
 TEST(PaperMethod, RefusesAScaleStageThatDoesNotFitTheMemoryBudget) {

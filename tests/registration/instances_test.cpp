@@ -186,7 +186,7 @@ TEST(RegisterInstances, SaysWhenTheTimeEndedTheSearch) {
   const auto found = register_instances(scene.source, scene.target, options);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_FALSE(found[0].diagnostics.limits_hit.empty());
-  EXPECT_NE(found[0].diagnostics.limits_hit.back().find("instances"), std::string::npos);
+  EXPECT_NE(found[0].diagnostics.limits_hit.back().sentence.find("instances"), std::string::npos);
 }
 
 TEST(RegisterInstances, ShareTheTime) {
