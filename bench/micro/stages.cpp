@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "clique/degeneracy.hpp"
+#include "clique/graph/degeneracy.hpp"
 #include "consensus/consistency_graph.hpp"
 #include "consensus/mirror.hpp"
 #include "gmcr/registration.hpp"
