@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "clique/degeneracy.hpp"
+#include "clique/graph/degeneracy.hpp"
 #include "gmcr/registration.hpp"
 #include "micro/themes.hpp"
 #include "problem/consistency_graph.hpp"

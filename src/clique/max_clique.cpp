@@ -2,11 +2,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "clique/core_filter.hpp"
+#include "clique/graph/core_filter.hpp"
+#include "clique/graph/degrees.hpp"
 #include "clique/survivor_search.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 constexpr Index kNumFirstStarts = 4;
@@ -121,10 +122,13 @@ class Solver {
 };
 
 }  // namespace
+}  // namespace gmcr::clique
+
+namespace gmcr {
 
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options) {
   options.validate();
-  return Solver(graph, options).solve();
+  return clique::Solver(graph, options).solve();
 }
 
 }  // namespace gmcr

@@ -6,10 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clique/bit_rows.hpp"
-#include "clique/coloring.hpp"
-#include "clique/degeneracy.hpp"
-#include "clique/packed_graph.hpp"
+#include "clique/clique.hpp"
 
 namespace gmcr::proof {
 namespace {
@@ -51,11 +48,9 @@ double JointSearch::run(double to_beat) {
   Node root;
   root.open = hopeful(graph_, all, 0);  // before anything is copied: most are not
   if (deadline_.expired()) return std::max(to_beat_, weight_of(root.open));
-  root.graph = induced_subgraph(graph_, root.open);
+  root.graph = clique::induced_subgraph(graph_, root.open);
   // best first: colourings then need fewer classes
-  std::vector<Index> order = degeneracy_order(root.graph).order;
-  std::reverse(order.begin(), order.end());
-  select_open(root, order);
+  select_open(root, clique::core_order(root.graph));
   return search(root);
 }
 
@@ -71,9 +66,9 @@ double JointSearch::search(Node& node) {
 }
 
 double JointSearch::branch(const Node& node) {
-  std::vector<Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
-  for (Index v = 0; v < node.graph.num_vertices(); ++v) set_bit(all.data(), v);
-  const Coloring coloring = color_greedily(node.graph, all);
+  std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
+  for (Index v = 0; v < node.graph.num_vertices(); ++v) clique::set_bit(all.data(), v);
+  const clique::Coloring coloring = clique::color_greedily(node.graph, all);
   if (coloring.num_colors == node.graph.num_vertices()) return resolve(node.kept, node.open);
 
   // bounds[k]: of the sets among the first k + 1 vertices of the order; a class costs its heaviest
@@ -105,7 +100,7 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
   }
   std::sort(vertices.begin(), vertices.end());
   Node next;
-  next.graph = induced_subgraph(node.graph, vertices);
+  next.graph = clique::induced_subgraph(node.graph, vertices);
   for (const Index v : vertices) next.open.push_back(node.open[static_cast<std::size_t>(v)]);
   const auto i = static_cast<std::size_t>(node.open[static_cast<std::size_t>(chosen)]);
   next.kept = node.kept;
@@ -115,7 +110,7 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
 }
 
 void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
-  node.graph = induced_subgraph(node.graph, vertices);
+  node.graph = clique::induced_subgraph(node.graph, vertices);
   std::vector<Index> open;
   for (const Index v : vertices) open.push_back(node.open[static_cast<std::size_t>(v)]);
   node.open = std::move(open);
@@ -151,12 +146,12 @@ std::vector<Index> JointSearch::hopeful(const BitsetGraph& graph, const std::vec
     double& sum = around[static_cast<std::size_t>(v)];
     sum = kept_weight + weight(v);
     const auto row = graph.row(v);
-    for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { sum += weight(u); });
+    clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { sum += weight(u); });
     judge(v);
   }
   for (std::size_t k = 0; k < hopeless.size(); ++k) {
     const auto row = graph.row(hopeless[k]);
-    for_each_bit(row.data(), graph.words_per_row(), [&](Index u) {
+    clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) {
       around[static_cast<std::size_t>(u)] -= weight(hopeless[k]);
       judge(u);
     });

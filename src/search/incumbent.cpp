@@ -4,10 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clique/bit_rows.hpp"
-#include "clique/core_filter.hpp"
-#include "clique/greedy.hpp"
-#include "clique/packed_graph.hpp"
+#include "clique/clique.hpp"
 #include "estimation/constrained_fit.hpp"
 #include "problem/consistency_graph.hpp"
 #include "refine/local_optimisation.hpp"
@@ -37,8 +34,8 @@ constexpr std::uint64_t kMaxNodesNearby = 200;
 /// Removes the edges of a vertex.
 void isolate(BitsetGraph& graph, Index v) {
   const auto row = graph.mutable_row(v);
-  for_each_bit(row.data(), graph.words_per_row(),
-               [&](Index u) { clear_bit(graph.mutable_row(u).data(), v); });
+  clique::for_each_bit(row.data(), graph.words_per_row(),
+                       [&](Index u) { clique::clear_bit(graph.mutable_row(u).data(), v); });
   std::fill(row.begin(), row.end(), 0);
 }
 
@@ -47,7 +44,7 @@ double evidence_around(const BitsetGraph& graph, const std::vector<double>& weig
   const auto weight = [&](Index u) { return weights[static_cast<std::size_t>(u)]; };
   double around = weight(v);
   const auto row = graph.row(v);
-  for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { around += weight(u); });
+  clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { around += weight(u); });
   return around;
 }
 
@@ -65,7 +62,7 @@ std::vector<Index> by_descending(const std::vector<Index>& values) {
 std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
                                               const std::vector<Index>& vertices) {
   const problem::StageTimer timer(search.context(), "clique");
-  const BitsetGraph graph = induced_subgraph(range.graph, vertices);
+  const BitsetGraph graph = clique::induced_subgraph(range.graph, vertices);
   const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
   std::vector<double> weights;
   for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
@@ -73,12 +70,12 @@ std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGra
       search.context()
           .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
           .vertices};
-  const std::vector<Index> degree = degrees_of(graph, 1);
+  const std::vector<Index> degree = clique::degrees_of(graph, 1);
   std::vector<bool> covered(vertices.size(), false);
   for (const Index v : by_descending(degree)) {
     if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
     if (covered[static_cast<std::size_t>(v)]) continue;
-    cliques.push_back(greedy_clique_by_candidates(graph, v, degree, kMaxCandidates));
+    cliques.push_back(clique::greedy_clique(graph, v, degree, kMaxCandidates));
     for (const Index u : cliques.back()) covered[static_cast<std::size_t>(u)] = true;
   }
   for (std::vector<Index>& clique : cliques) {
@@ -202,16 +199,16 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   std::vector<Index> order;
   {
     const problem::StageTimer timer(search.context(), "clique");
-    degree = degrees_of(range.graph, search.context().options().num_threads);
+    degree = clique::degrees_of(range.graph, search.context().options().num_threads);
     order = by_descending(degree);
   }
   const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
   // what the best pose explains is left out: else all cliques would lead to it again
-  std::vector<Word> unexplained(static_cast<std::size_t>(range.graph.words_per_row()));
+  std::vector<clique::Word> unexplained(static_cast<std::size_t>(range.graph.words_per_row()));
   std::vector<bool> covered;
   const auto leave_out_explained = [&] {
-    std::fill(unexplained.begin(), unexplained.end(), ~Word{0});
-    for (const Index v : search.near_best(kExplained)) clear_bit(unexplained.data(), v);
+    std::fill(unexplained.begin(), unexplained.end(), ~clique::Word{0});
+    for (const Index v : search.near_best(kExplained)) clique::clear_bit(unexplained.data(), v);
   };
   covered.assign(static_cast<std::size_t>(n), false);
   leave_out_explained();
@@ -220,13 +217,13 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
     if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
     const double to_beat = search.to_beat(Measure::Evidence);
     if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
-    if (covered[static_cast<std::size_t>(v)] || !test_bit(unexplained.data(), v)) continue;
+    if (covered[static_cast<std::size_t>(v)] || !clique::test_bit(unexplained.data(), v)) continue;
     if (num_bounded++ == kMaxBounded * max_starts) return;
     if (evidence_around(range.graph, weights, v) <= to_beat) continue;
     ++num_starts;
     const std::vector<Index> clique = [&] {
       const problem::StageTimer timer(search.context(), "clique");
-      return greedy_clique_by_candidates(range.graph, v, degree, kMaxCandidates, unexplained);
+      return clique::greedy_clique(range.graph, v, degree, kMaxCandidates, unexplained);
     }();
     double evidence = 0;
     for (const Index u : clique) {
