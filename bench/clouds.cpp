@@ -80,7 +80,7 @@ std::string quoted(const std::string& word) {
 
 Output run_command(const std::vector<std::string>& words) {
   std::string command;
-  for (const std::string& word : words) command += io::quoted(word) + " ";
+  for (const std::string& word : words) command += quoted(word) + " ";
   const auto start = std::chrono::steady_clock::now();
   std::FILE* pipe = popen((command + "2>/dev/null").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot start " + words.front());
@@ -180,7 +180,7 @@ Json run_pair(const Settings& settings, const Pair& pair, const std::string& ref
   for (const auto& [key, value] : answer.items()) {
     if (key != "inliers" && !record.contains(key)) record[key] = value;
   }
-  frontend::judge(record, answer, pair);
+  judge(record, answer, pair);
   return record;
 }
 

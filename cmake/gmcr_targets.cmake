@@ -17,6 +17,7 @@ endfunction()
 function(gmcr_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   set(target gmcr_${name})
+  list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   add_library(${target} STATIC ${arg_SOURCES})
   gmcr_target_defaults(${target})
   target_include_directories(${target}

@@ -75,8 +75,8 @@ void require_finite(const PointsRef& points, const char* name) {
 
 }  // namespace
 
-void validate_pair(const PointsRef& source, const PointsRef& target,
-                   const FrontendOptions& frontend, const Options& options) {
+void frontend::validate_pair(const PointsRef& source, const PointsRef& target,
+                             const FrontendOptions& frontend, const Options& options) {
   frontend.validate();
   Options checked = options;
   const bool given = checked.noise_mode == NoiseMode::Given;
@@ -86,9 +86,9 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
   require_finite(target, "target");
 }
 
-CloudMatches match_with(const PointsRef& source, const PointsRef& target,
-                        const FrontendOptions& asked, const Options& options,
-                        const frontend::FrontendSetting& setting) {
+CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& target,
+                                  const FrontendOptions& asked, const Options& options,
+                                  const frontend::FrontendSetting& setting) {
   FrontendOptions frontend = asked;
   frontend.feature_radius *= setting.feature_radius_factor;
   if (setting.keep_all_matches) {

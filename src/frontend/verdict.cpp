@@ -18,18 +18,6 @@ constexpr double kPlausibleCoverage = 0.5;
 
 }  // namespace
 
-const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Trusted:
-      return "trusted";
-    case Verdict::Doubtful:
-      return "doubtful";
-    case Verdict::Untrusted:
-      return "untrusted";
-  }
-  return "unknown";
-}
-
 void judge(CloudResult& result) {
   const bool all_matches = !result.matches.filtered;
   const auto num_inliers = static_cast<Index>(result.registration.inliers.size());
@@ -57,3 +45,19 @@ void judge(CloudResult& result) {
 }
 
 }  // namespace gmcr::frontend
+
+namespace gmcr {
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Trusted:
+      return "trusted";
+    case Verdict::Doubtful:
+      return "doubtful";
+    case Verdict::Untrusted:
+      return "untrusted";
+  }
+  return "unknown";
+}
+
+}  // namespace gmcr

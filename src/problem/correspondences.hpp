@@ -21,9 +21,8 @@ struct CorrespondencesIn;
 /// The caller's matches, in place: a view, valid for as long as the points are.
 template <>
 struct CorrespondencesIn<Frame::Caller> {
-  const PointsRef& source;
-  const PointsRef& target;  ///< 3 x N, metres
-  Eigen::ArrayXd bounds;    ///< N inlier bounds eps_i, metres
+  PointsRef source, target;  ///< 3 x N, metres
+  Eigen::ArrayXd bounds;     ///< N inlier bounds eps_i, metres
 
   Index size() const { return source.cols(); }
 };
