@@ -2,7 +2,7 @@
 
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
-#include "parallel/deadline.hpp"
+#include "parallel/stopwatch.hpp"
 #include "problems.hpp"
 
 namespace gmcr {
@@ -78,9 +78,9 @@ TEST(PaperMethod, KeepsToTheTimeLimitInsideItsGraphs) {
   Options options = problem.options();
   options.method = Method::Paper;
   options.budget.time = 0.2;
-  const Deadline clock(0);
+  const Stopwatch stopwatch;
   const Result result = register_correspondences(problem.source, problem.target, options);
-  EXPECT_LT(clock.elapsed(), 20);  // all of its rotation graph takes minutes
+  EXPECT_LT(stopwatch.elapsed(), 20);  // all of its rotation graph takes minutes
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());
 }
 
