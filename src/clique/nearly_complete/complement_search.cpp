@@ -65,22 +65,22 @@ ComplementSearch::Part ComplementSearch::prepare(const std::vector<Index>& verti
     if (is_known[order[i]]) part.clique.push_back(static_cast<Index>(i));
   }
   part.bound = std::min(part.bound, cores.degeneracy + 1);
-  bound_by_colors(part);
+  bound_by_colours(part);
   const RowsView view = part.graph.view();
   for (const Index steps : {kFewStepsPerMissing, kManyStepsPerMissing}) {
     if (part.bound <= static_cast<Index>(part.clique.size())) break;
     if (steps == kManyStepsPerMissing && view.num_vertices <= kSmallPart) break;
     part.clique = improve_by_swaps(view, part.clique, steps * num_missing(view), budget_);
-    bound_by_colors(part);
+    bound_by_colours(part);
   }
   return part;
 }
 
-void ComplementSearch::bound_by_colors(Part& part) {
+void ComplementSearch::bound_by_colours(Part& part) {
   const RowsView view = part.graph.view();
   std::vector<Word> all(view.words_per_row, 0);
   for (Index v = 0; v < view.num_vertices; ++v) set_bit(all.data(), v);
-  part.bound = std::min(part.bound, color_greedily(view, all, part.clique, &budget_).num_colors);
+  part.bound = std::min(part.bound, colour_greedily(view, all, part.clique, &budget_).num_colours);
 }
 
 void ComplementSearch::search(Part& part, Index must_exceed) {

@@ -28,7 +28,7 @@ constexpr std::uint64_t kMinWorkToSwap = std::uint64_t{1} << 21;
 }  // namespace
 
 Index RootSearch::run() {
-  branches_ = packed_ ? choose_branches() : branches_by_coloring();
+  branches_ = packed_ ? choose_branches() : branches_by_colouring();
   alive_ = hopeful_vertices();
   known_size_ = incumbent_.to_beat();
   const Index words_each = 3 * graph_.num_vertices * graph_.words_per_row + 1;
@@ -119,7 +119,7 @@ void RootSearch::improve_clique() {
 }
 
 std::vector<Branch> RootSearch::choose_branches() {
-  const AlignedWords alive = hopeful_vertices();
+  const kernels::AlignedWords alive = hopeful_vertices();
   BranchSelector selector;
   selector.reset(*packed_);
   std::vector<Branch> seeded, plain;
@@ -129,20 +129,20 @@ std::vector<Branch> RootSearch::choose_branches() {
   return plain.size() < seeded.size() ? plain : seeded;
 }
 
-std::vector<Branch> RootSearch::branches_by_coloring() {
-  const AlignedWords alive = hopeful_vertices();
-  const Coloring coloring = color_greedily(graph_, alive, incumbent_.clique(), &budget_);
+std::vector<Branch> RootSearch::branches_by_colouring() {
+  const kernels::AlignedWords alive = hopeful_vertices();
+  const Colouring colouring = colour_greedily(graph_, alive, incumbent_.clique(), &budget_);
   std::vector<Branch> branches;
-  for (std::size_t i = 0; i < coloring.order.size(); ++i) {
-    if (coloring.color[i] < incumbent_.to_beat()) continue;
-    branches.push_back({static_cast<std::int32_t>(coloring.order[i]),
-                        static_cast<std::int32_t>(coloring.color[i] + 1)});
+  for (std::size_t i = 0; i < colouring.order.size(); ++i) {
+    if (colouring.colour[i] < incumbent_.to_beat()) continue;
+    branches.push_back({static_cast<std::int32_t>(colouring.order[i]),
+                        static_cast<std::int32_t>(colouring.colour[i] + 1)});
   }
   return branches;
 }
 
-AlignedWords RootSearch::hopeful_vertices() const {
-  AlignedWords vertices(graph_.words_per_row, 0);
+kernels::AlignedWords RootSearch::hopeful_vertices() const {
+  kernels::AlignedWords vertices(graph_.words_per_row, 0);
   for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(vertices.data(), v);
   drop_hopeless(vertices);
   return vertices;

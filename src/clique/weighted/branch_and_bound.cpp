@@ -11,7 +11,7 @@ WeightedBranchAndBound::Outcome WeightedBranchAndBound::search(RowsView graph,
                                                                SearchBudget& budget) {
   graph_ = graph;
   units_ = units;
-  coloring_.reset(graph, units, budget);
+  colouring_.reset(graph, units, budget);
   rounding_ = rounding;
   to_beat_ = to_beat;
   best_clique_.clear();
@@ -39,7 +39,7 @@ void WeightedBranchAndBound::enter_level(std::int64_t weight, std::int64_t bound
   const Index level = static_cast<Index>(levels_.size());
   levels_.push_back({branches_.size(), weight, bound});
   const bool is_clique =
-      coloring_.select(candidates_.row(level), to_beat_ - weight, Splitting::Full, branches_);
+      colouring_.select(candidates_.row(level), to_beat_ - weight, Splitting::Full, branches_);
   if (is_clique) {
     // The candidates complete the clique at once; no branch can do better.
     branches_.resize(levels_.back().first_branch);

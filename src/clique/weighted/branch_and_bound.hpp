@@ -42,7 +42,7 @@ class WeightedBranchAndBound {
 
   RowsView graph_;
   std::span<const std::int64_t> units_;
-  WeightedColoring coloring_;
+  WeightedColouring colouring_;
   WeightRounding rounding_;
   std::int64_t to_beat_ = 0;
   std::vector<Index> best_clique_;
