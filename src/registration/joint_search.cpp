@@ -67,7 +67,7 @@ double JointSearch::search(Node& node) {
 
 double JointSearch::branch(const Node& node) {
   std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
-  for (Index v = 0; v < node.graph.num_vertices(); ++v) clique::set_bit(all.data(), v);
+  clique::set_first_bits(all.data(), node.graph.num_vertices());
   const clique::Colouring colouring = clique::colour_greedily(node.graph, all);
   if (colouring.num_colours == node.graph.num_vertices()) return resolve(node.kept, node.open);
 

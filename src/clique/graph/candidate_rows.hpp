@@ -13,7 +13,7 @@ class CandidateRows {
   void reset(RowsView graph) {
     graph_ = graph;
     words_.assign(static_cast<std::size_t>(graph.words_per_row), 0);
-    for (Index v = 0; v < graph.num_vertices; ++v) set_bit(words_.data(), v);
+    set_first_bits(words_.data(), graph.num_vertices);
   }
 
   /// Valid until the next `descend`.

@@ -14,8 +14,8 @@ constexpr Index kRepairWorkPerWord = 4;
 
 double density(RowsView graph) {
   const Index n = graph.num_vertices;
-  const Index ends = count_bits(graph.words, n * graph.words_per_row);
-  return n < 2 ? 0.0 : static_cast<double>(ends) / (static_cast<double>(n) * (n - 1));
+  return n < 2 ? 0.0
+               : static_cast<double>(graph.num_edge_ends()) / (static_cast<double>(n) * (n - 1));
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ void RootSearch::improve_clique() {
   has_swapped_ = true;
   const Index n = graph_.num_vertices;
   if (n > kMaxVerticesToSwap) return;
-  const auto ends = static_cast<double>(count_bits(graph_.words, n * graph_.words_per_row));
+  const auto ends = static_cast<double>(graph_.num_edge_ends());
   if (ends < kMinDensityToSwap * static_cast<double>(n * (n - 1))) return;
   incumbent_.offer(improve_by_swaps(graph_, incumbent_.clique(), kSwapWork, budget_));
 }
@@ -143,7 +143,7 @@ std::vector<Branch> RootSearch::branches_by_colouring() {
 
 kernels::AlignedWords RootSearch::hopeful_vertices() const {
   kernels::AlignedWords vertices(graph_.words_per_row, 0);
-  for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(vertices.data(), v);
+  set_first_bits(vertices.data(), graph_.num_vertices);
   drop_hopeless(vertices);
   return vertices;
 }

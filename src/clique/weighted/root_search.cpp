@@ -23,7 +23,7 @@ std::vector<Index> best_first_order(const WeightedPeeling& peeling) {
 
 std::int64_t WeightedRootSearch::run() {
   std::vector<Word> alive(graph_.words_per_row, 0);
-  for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(alive.data(), v);
+  set_first_bits(alive.data(), graph_.num_vertices);
   candidates_.resize(graph_.words_per_row);
   std::vector<WeightedBranch> branches = choose_branches(alive);
   for (; !branches.empty() && branches.back().bound > incumbent_.to_beat(); branches.pop_back()) {
