@@ -49,10 +49,10 @@ struct SyntheticOptions {
   // Structured
   /// Clusters of outliers, >= 0. 0: ceil(10 * outlier_rate) + 2, more where these cannot hold all.
   Index num_bases = 0;
-  Index source_neighbors = 9;  ///< a cluster's sources: the base and its k nearest points, >= 0
-  Index target_neighbors = 9;  ///< a cluster's targets: likewise, >= source_neighbors
+  Index source_neighbours = 9;  ///< a cluster's sources: the base and its k nearest points, >= 0
+  Index target_neighbours = 9;  ///< a cluster's targets: likewise, >= source_neighbours
   /// An inlier's target is one of the k nearest points of the true one, >= 0; 0: the true one.
-  Index association_neighbors = 3;
+  Index association_neighbours = 3;
 
   /// @throws std::invalid_argument naming field and value.
   void validate() const;
@@ -85,7 +85,7 @@ struct SyntheticProblem {
 /// outermost. Sources are drawn without repetition; an outlier's target is drawn from that cloud.
 ///
 /// Structured: clouds as in Random. Inliers are drawn first; the target of each is replaced by one
-/// of its `association_neighbors` nearest other points, drawn from those within `noise_bound` of
+/// of its `association_neighbours` nearest other points, drawn from those within `noise_bound` of
 /// the truth; where there are none it stays. Then base outliers are drawn as in Random, from the
 /// points of the model; the remaining outliers are dealt to random bases: a source near the base's
 /// source and a target near the base's target, neither repeated within the cluster. Points of

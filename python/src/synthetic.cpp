@@ -26,11 +26,11 @@ void bind_synthetic(nb::module_& module) {
              "Points without a partner, on the sphere around the target.")
       .field("num_bases", &SyntheticOptions::num_bases,
              "Clusters of outliers ('structured'); 0: from the outlier rate.")
-      .field("source_neighbors", &SyntheticOptions::source_neighbors,
+      .field("source_neighbours", &SyntheticOptions::source_neighbours,
              "A cluster's sources: the base and its nearest points.")
-      .field("target_neighbors", &SyntheticOptions::target_neighbors,
-             "A cluster's targets, >= source_neighbors.")
-      .field("association_neighbors", &SyntheticOptions::association_neighbors,
+      .field("target_neighbours", &SyntheticOptions::target_neighbours,
+             "A cluster's targets, >= source_neighbours.")
+      .field("association_neighbours", &SyntheticOptions::association_neighbours,
              "An inlier's target is one of that many points near the true one; 0: the true one.")
       .settable()
       .def("validate", &SyntheticOptions::validate,

@@ -105,7 +105,7 @@ class Solver {
     if (!packed.assign(graph_, survivors, &budget_)) return;
     Incumbent inner = incumbent_within(packed, graph_.num_vertices, incumbent_);
     std::vector<Word> all(packed.words_per_row(), 0);
-    for (Index v = 0; v < count; ++v) set_bit(all.data(), v);
+    set_first_bits(all.data(), count);
     SurvivorSearch search(packed.view(), inner, budget_, num_threads_, max_memory_ - bytes);
     lower_bound_to(search.run(all, must_exceed_ > 0));
     incumbent_.offer(originals_of(packed, inner.clique()));

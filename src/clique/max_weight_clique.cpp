@@ -32,7 +32,7 @@ class Solver {
     if (!settled()) offer_heaviest_vertex();
     // Most likely nothing exceeds a given weight: a bound may show it without any clique.
     if (!settled()) peel_graph();
-    if (!settled()) bound_by_colors();
+    if (!settled()) bound_by_colours();
     if (!settled()) grow_cliques(asks_for_proof ? kNumGreedyStartsOfProof : kNumGreedyStarts);
     if (!settled()) search_survivors();
     WeightedCliqueResult result;
@@ -61,13 +61,13 @@ class Solver {
 
   void peel() {
     peeling_.peel(incumbent_.to_beat());
-    lower_bound_to(std::max(incumbent_.to_beat(), peeling_.heaviest_neighborhood()));
+    lower_bound_to(std::max(incumbent_.to_beat(), peeling_.heaviest_neighbourhood()));
   }
 
-  void bound_by_colors() {
-    WeightedColoring coloring;
-    coloring.reset(graph_, weights_.units(), budget_);
-    lower_bound_to(std::max(incumbent_.to_beat(), coloring.bound(peeling_.alive().data())));
+  void bound_by_colours() {
+    WeightedColouring colouring;
+    colouring.reset(graph_, weights_.units(), budget_);
+    lower_bound_to(std::max(incumbent_.to_beat(), colouring.bound(peeling_.alive().data())));
   }
 
   /// From the heaviest neighbourhoods that no clique so far covers.
@@ -78,13 +78,13 @@ class Solver {
       Index start = -1;
       for_each_bit(peeling_.alive().data(), graph_.words_per_row, [&](Index v) {
         if (covered[v]) return;
-        if (start < 0 || peeling_.neighborhoods()[v] > peeling_.neighborhoods()[start]) start = v;
+        if (start < 0 || peeling_.neighbourhoods()[v] > peeling_.neighbourhoods()[start]) start = v;
       });
       if (start < 0) return;
       const Word* row = graph_.row(start);
       for (Index w = 0; w < graph_.words_per_row; ++w) candidates[w] = row[w] & peeling_.alive()[w];
       std::vector<Index> clique = greedy_heavy_clique(graph_, weights_.units(), start, candidates,
-                                                      peeling_.neighborhoods(), budget_);
+                                                      peeling_.neighbourhoods(), budget_);
       for (const Index v : clique) covered[v] = 1;
       incumbent_.offer(std::move(clique));
       peel();
@@ -96,7 +96,7 @@ class Solver {
   void search_survivors() {
     const Index count = peeling_.num_alive();
     if (PackedGraph::bytes_required(count) > max_memory_) return;
-    if (WeightedColoring::most_work(count, words_for_bits(count)) > budget_.work_left()) return;
+    if (WeightedColouring::most_work(count, words_for_bits(count)) > budget_.work_left()) return;
     std::vector<Index> order = best_first_order(peeling_);
     // The classes of a colouring that starts with a clique fit it.
     std::vector<char> known(graph_.num_vertices, 0);

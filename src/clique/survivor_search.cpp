@@ -10,7 +10,7 @@ namespace {
 
 // Starts of greedy cliques: one for 64 vertices, within these bounds.
 constexpr Index kMinGreedyStarts = 4, kMaxGreedyStarts = 8;
-constexpr Index kMaxVerticesToColorTwice = 1024;
+constexpr Index kMaxVerticesToColourTwice = 1024;
 // A renumbered copy of the vertices pays unless it doubles a large memory.
 constexpr Index kMaxWordsOfFullCopy = Index{1} << 23;  // 64 MiB
 
@@ -49,7 +49,7 @@ std::vector<Index> originals_of(const PackedGraph& part, std::span<const Index> 
 
 Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
   if (has_only_bound) {
-    bound_by_colors(alive);
+    bound_by_colours(alive);
     if (settled()) return upper_bound_;
     const std::vector<Index> degree = [&] {
       std::vector<Index> degrees(graph_.num_vertices);
@@ -59,11 +59,11 @@ Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
     const auto start = std::max_element(degree.begin(), degree.end()) - degree.begin();
     incumbent_.offer(greedy_clique(graph_, start, degree));
   }
-  if (!settled()) bound_by_colors(alive);
+  if (!settled()) bound_by_colours(alive);
   // Graphs made by a rule are often coloured best as their vertices are numbered.
-  if (!settled() && graph_.num_vertices <= kMaxVerticesToColorTwice) {
+  if (!settled() && graph_.num_vertices <= kMaxVerticesToColourTwice) {
     lower_bound_to(
-        std::max(color_greedily(graph_, alive, {}, &budget_).num_colors, incumbent_.to_beat()));
+        std::max(colour_greedily(graph_, alive, {}, &budget_).num_colours, incumbent_.to_beat()));
   }
   if (!settled()) {
     cores_ = degeneracy_order(graph_, &budget_);
@@ -77,13 +77,13 @@ Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
   return upper_bound_;
 }
 
-void SurvivorSearch::bound_by_colors(std::span<const Word> alive) {
+void SurvivorSearch::bound_by_colours(std::span<const Word> alive) {
   std::vector<Index> seeds;
   for (const Index v : incumbent_.clique()) {
     if (test_bit(alive.data(), v)) seeds.push_back(v);
   }
   lower_bound_to(
-      std::max(color_greedily(graph_, alive, seeds, &budget_).num_colors, incumbent_.to_beat()));
+      std::max(colour_greedily(graph_, alive, seeds, &budget_).num_colours, incumbent_.to_beat()));
 }
 
 /// Branch and bound on the vertices whose core number admits a better clique.

@@ -44,7 +44,7 @@ class SurvivorSearch {
  private:
   bool settled() { return upper_bound_ <= incumbent_.to_beat() || budget_.out_of_time(); }
   void lower_bound_to(Index bound) { upper_bound_ = std::min(upper_bound_, bound); }
-  void bound_by_colors(std::span<const Word> alive);
+  void bound_by_colours(std::span<const Word> alive);
   void search_core();
   void search_copy(const PackedGraph& packed, std::span<const Index> core);
 

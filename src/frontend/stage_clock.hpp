@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
+#include <string>
 #include <vector>
 
 #include "gmcr/result.hpp"
-#include "parallel/deadline.hpp"
+#include "parallel/stopwatch.hpp"
 
 namespace gmcr::frontend {
 
@@ -33,7 +33,7 @@ class StageClock {
 
  private:
   std::vector<StageTime>& stages_;
-  parallel::Deadline watch_{std::numeric_limits<double>::infinity()};
+  parallel::Stopwatch watch_;
   double last_ = 0;
 };
 

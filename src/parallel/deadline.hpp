@@ -1,23 +1,24 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <stop_token>
 #include <utility>
+
+#include "parallel/stopwatch.hpp"
 
 namespace gmcr::parallel {
 
 inline constexpr double kLeastSeconds = 1e-3;  ///< that a solver needs to say that it has no time
 
 /// Point in time at which work has to end, or the moment at which a stop is requested, whichever
-/// comes first. The only place of the library that reads a clock to decide.
+/// comes first. The only place of the library that decides by a clock.
 class Deadline {
  public:
   /// @param seconds  from now; infinity for never.
   /// @param stop     ends it at once, from any thread.
   explicit Deadline(double seconds, std::stop_token stop = {})
-      : start_(Clock::now()), seconds_(seconds), stop_(std::move(stop)) {}
+      : seconds_(seconds), stop_(std::move(stop)) {}
 
   static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
 
@@ -32,11 +33,10 @@ class Deadline {
   }
 
   /// Seconds since construction.
-  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double elapsed() const { return stopwatch_.elapsed(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_;
+  Stopwatch stopwatch_;
   double seconds_;
   std::stop_token stop_;
 };

@@ -8,6 +8,16 @@
 #include <algorithm>
 
 namespace gmcr::parallel {
+namespace {
+
+/// As many threads as TBB would give; it prints a warning where an arena asks for more.
+int allowed_threads(int num_threads) {
+  const auto limit =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<int>(std::min(static_cast<std::size_t>(num_threads), limit));
+}
+
+}  // namespace
 
 int resolve_num_threads(int num_threads) {
   return num_threads > 0 ? num_threads : std::max(1, tbb::this_task_arena::max_concurrency());
@@ -20,14 +30,11 @@ void parallel_for(Index count, Index grain, int num_threads,
   const auto run_chunk = [&](Index chunk) {
     body(chunk * grain, std::min(count, (chunk + 1) * grain));
   };
-  const int threads = resolve_num_threads(num_threads);
+  const int threads = allowed_threads(resolve_num_threads(num_threads));
   if (threads == 1 || num_chunks == 1) {
     for (Index chunk = 0; chunk < num_chunks; ++chunk) run_chunk(chunk);
     return;
   }
-  // lets TBB have as many threads as asked for, also more than there are cores
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<Index>(0, num_chunks, 1), [&](const auto& range) {

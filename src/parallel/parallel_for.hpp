@@ -14,6 +14,9 @@ int resolve_num_threads(int num_threads);
 /// The ranges have `grain` indices each (the last may have fewer) for any number of threads, so a
 /// body that writes only to its own range, or to a slot of index begin / grain, gives the same bits
 /// for any number of threads. An exception of a body reaches the caller.
+///
+/// The threads are TBB's, of an arena of its own: no more than TBB allows the process (as many as
+/// there are cores, or what a host program set), and other work of the host keeps its own.
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body);
 

@@ -68,26 +68,26 @@ double ConsensusSearch::search(Node& node) {
 
 double ConsensusSearch::branch(const Node& node) {
   std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
-  for (Index v = 0; v < node.graph.num_vertices(); ++v) clique::set_bit(all.data(), v);
-  const clique::Coloring coloring = clique::color_greedily(node.graph, all);
-  if (coloring.num_colors == node.graph.num_vertices()) return resolve(node.kept, node.open);
+  clique::set_first_bits(all.data(), node.graph.num_vertices());
+  const clique::Colouring colouring = clique::colour_greedily(node.graph, all);
+  if (colouring.num_colours == node.graph.num_vertices()) return resolve(node.kept, node.open);
 
   // bounds[k]: of the sets among the first k + 1 vertices of the order; a class costs its heaviest
   std::vector<double> bounds;
   double classes = node.kept_weight, heaviest = 0;
-  for (std::size_t k = 0; k < coloring.order.size(); ++k) {
-    if (k > 0 && coloring.color[k] != coloring.color[k - 1]) {
+  for (std::size_t k = 0; k < colouring.order.size(); ++k) {
+    if (k > 0 && colouring.colour[k] != colouring.colour[k - 1]) {
       classes += heaviest;
       heaviest = 0;
     }
-    const Index i = node.open[static_cast<std::size_t>(coloring.order[k])];
+    const Index i = node.open[static_cast<std::size_t>(colouring.order[k])];
     heaviest = std::max(heaviest, weights_[static_cast<std::size_t>(i)]);
     bounds.push_back(classes + heaviest);
   }
   double upper = to_beat_;
-  for (std::size_t k = coloring.order.size(); k-- > 0 && exceeds(bounds[k]);) {
+  for (std::size_t k = colouring.order.size(); k-- > 0 && exceeds(bounds[k]);) {
     if (deadline_.expired()) return std::max(upper, bounds[k]);
-    Node next = child(node, {coloring.order.data(), k}, coloring.order[k]);
+    Node next = child(node, {colouring.order.data(), k}, colouring.order[k]);
     upper = std::max(upper, std::min(bounds[k], search(next)));
   }
   return std::max(upper, to_beat_);

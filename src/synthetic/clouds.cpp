@@ -28,11 +28,11 @@ Points model_points(const PointsRef& model, Index count, Random& random) {
   const double side = (high - low).maxCoeff();
   if (!(side > 0)) throw std::invalid_argument("model: all points coincide");
 
-  const Eigen::Vector3d center = 0.5 * (low + high);
+  const Eigen::Vector3d centre = 0.5 * (low + high);
   const std::vector<Index> chosen = random.sample(count, model.cols());
   Points points(3, count);
   for (Index i = 0; i < count; ++i) {
-    points.col(i) = (model.col(chosen[static_cast<std::size_t>(i)]) - center) / side;
+    points.col(i) = (model.col(chosen[static_cast<std::size_t>(i)]) - centre) / side;
   }
   return points;
 }
@@ -58,12 +58,12 @@ Points paper_target_cloud(const SyntheticOptions& options, const Similarity& tar
   return cloud;
 }
 
-std::vector<Index> nearest_points(const Points& cloud, Index num_points, Index center,
+std::vector<Index> nearest_points(const Points& cloud, Index num_points, Index centre,
                                   Index count) {
   std::vector<std::pair<double, Index>> others;
   others.reserve(static_cast<std::size_t>(num_points));
   for (Index i = 0; i < num_points; ++i) {
-    if (i != center) others.emplace_back((cloud.col(i) - cloud.col(center)).squaredNorm(), i);
+    if (i != centre) others.emplace_back((cloud.col(i) - cloud.col(centre)).squaredNorm(), i);
   }
   const auto kept = others.begin() + std::min<Index>(count, std::ssize(others));
   std::partial_sort(others.begin(), kept, others.end());

@@ -20,8 +20,8 @@ Points model_points(const PointsRef& model, Index count, Random& random);
 Points paper_target_cloud(const SyntheticOptions& options, const Similarity& target_from_source,
                           const Points& source, Random& random);
 
-/// The `count` points of the first `num_points` of `cloud` that are nearest to point `center`,
+/// The `count` points of the first `num_points` of `cloud` that are nearest to point `centre`,
 /// itself left out; nearest first, ties to the smaller index; fewer where the cloud has no more.
-std::vector<Index> nearest_points(const Points& cloud, Index num_points, Index center, Index count);
+std::vector<Index> nearest_points(const Points& cloud, Index num_points, Index centre, Index count);
 
 }  // namespace gmcr::synthetic

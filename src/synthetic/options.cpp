@@ -24,16 +24,16 @@ double largest_noise(const SyntheticOptions& options) {
 
 void validate_structured(const SyntheticOptions& options) {
   require(options.num_bases >= 0, "num_bases", options.num_bases, ">= 0");
-  require(options.source_neighbors >= 0, "source_neighbors", options.source_neighbors, ">= 0");
-  require(options.target_neighbors >= options.source_neighbors, "target_neighbors",
-          options.target_neighbors, ">= source_neighbors");
-  require(options.association_neighbors >= 0, "association_neighbors",
-          options.association_neighbors, ">= 0");
-  require(options.target_neighbors < options.num_cloud_points, "target_neighbors",
-          options.target_neighbors, "< num_cloud_points");
-  const Index capacity = options.num_bases * (options.source_neighbors + 1);
+  require(options.source_neighbours >= 0, "source_neighbours", options.source_neighbours, ">= 0");
+  require(options.target_neighbours >= options.source_neighbours, "target_neighbours",
+          options.target_neighbours, ">= source_neighbours");
+  require(options.association_neighbours >= 0, "association_neighbours",
+          options.association_neighbours, ">= 0");
+  require(options.target_neighbours < options.num_cloud_points, "target_neighbours",
+          options.target_neighbours, "< num_cloud_points");
+  const Index capacity = options.num_bases * (options.source_neighbours + 1);
   require(options.num_bases == 0 || capacity >= synthetic::num_outliers(options), "num_bases",
-          options.num_bases, "enough for all outliers, source_neighbors + 1 a base");
+          options.num_bases, "enough for all outliers, source_neighbours + 1 a base");
 }
 
 }  // namespace

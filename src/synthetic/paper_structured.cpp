@@ -15,7 +15,7 @@ struct Cluster {
   std::vector<Index> targets;
 };
 
-Index cluster_capacity(const SyntheticOptions& options) { return options.source_neighbors + 1; }
+Index cluster_capacity(const SyntheticOptions& options) { return options.source_neighbours + 1; }
 
 Index choose_num_bases(const SyntheticOptions& options) {
   const Index outliers = num_outliers(options);
@@ -46,7 +46,7 @@ std::vector<Index> deal_outliers(const SyntheticOptions& options, Index num_base
 Index associate(const SyntheticOptions& options, const Draft& draft, const Points& cloud,
                 const Points& target_cloud, Index s, Random& random) {
   std::vector<Index> near =
-      nearest_points(target_cloud, cloud.cols(), s, options.association_neighbors);
+      nearest_points(target_cloud, cloud.cols(), s, options.association_neighbours);
   std::erase_if(near, [&](Index t) { return !draft.fits(cloud.col(s), target_cloud.col(t)); });
   return near.empty() ? s : near[static_cast<std::size_t>(random.index(std::ssize(near)))];
 }
@@ -56,12 +56,12 @@ Index associate(const SyntheticOptions& options, const Draft& draft, const Point
 Cluster draw_cluster(const SyntheticOptions& options, const Draft& draft, const Points& cloud,
                      const Points& target_cloud, Index base_source, Random& random) {
   Cluster cluster;
-  cluster.sources = nearest_points(cloud, cloud.cols(), base_source, options.source_neighbors);
+  cluster.sources = nearest_points(cloud, cloud.cols(), base_source, options.source_neighbours);
   cluster.sources.insert(cluster.sources.begin(), base_source);
   cluster.targets = draw_outlier(options, [&]() -> std::optional<std::vector<Index>> {
     const Index base_target = random.index(cloud.cols());
     std::vector<Index> targets =
-        nearest_points(target_cloud, cloud.cols(), base_target, options.target_neighbors);
+        nearest_points(target_cloud, cloud.cols(), base_target, options.target_neighbours);
     targets.insert(targets.begin(), base_target);
     for (const Index s : cluster.sources) {
       for (const Index t : targets) {

@@ -124,8 +124,8 @@ Index brute_force_clique_number(const BitsetGraph& graph) {
   int largest = 0;
   for (std::size_t set = 1; set < is_clique.size(); ++set) {
     const std::size_t rest = set & (set - 1);
-    const std::uint64_t neighbors = graph.row(std::countr_zero(set))[0];
-    is_clique[set] = is_clique[rest] && (rest & ~neighbors) == 0;
+    const std::uint64_t neighbours = graph.row(std::countr_zero(set))[0];
+    is_clique[set] = is_clique[rest] && (rest & ~neighbours) == 0;
     if (is_clique[set]) largest = std::max(largest, std::popcount(set));
   }
   return largest;

@@ -149,10 +149,10 @@ TEST(CliqueLimits, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
   SearchBudget spent(0, 0);
   spent.out_of_time();
   const std::vector<Word> all{~Word{0}, (Word{1} << (n - 64)) - 1};
-  const Coloring coloring = color_greedily(graph, all, {}, &spent);
-  EXPECT_EQ(coloring.order.size(), 90u);
-  EXPECT_EQ(coloring.color.back(), coloring.num_colors - 1);
-  EXPECT_GE(coloring.num_colors, clique_number);
+  const Colouring colouring = colour_greedily(graph, all, {}, &spent);
+  EXPECT_EQ(colouring.order.size(), 90u);
+  EXPECT_EQ(colouring.colour.back(), colouring.num_colours - 1);
+  EXPECT_GE(colouring.num_colours, clique_number);
   const Degeneracy bounds = degeneracy_order(graph, &spent), exact = degeneracy_order(graph);
   EXPECT_EQ(bounds.order.size(), 90u);
   EXPECT_GE(bounds.degeneracy, exact.degeneracy);

@@ -55,7 +55,7 @@ TEST(MaxClique, OfATuranGraphIsItsNumberOfParts) {
 
 TEST(MaxClique, OfAMycielskiGraphIsAnEdgeAlthoughItNeedsManyColours) {
   BitsetGraph graph = test::complete_graph(2);
-  for (int colors = 3; colors <= 8; ++colors) graph = test::mycielskian(graph);
+  for (int colours = 3; colours <= 8; ++colours) graph = test::mycielskian(graph);
   EXPECT_EQ(graph.num_vertices(), 191);
   EXPECT_EQ(proven_size(graph), 2);
 }

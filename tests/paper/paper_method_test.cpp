@@ -78,9 +78,9 @@ TEST(PaperMethod, KeepsToTheTimeLimitInsideItsGraphs) {
   Options options = problem.options();
   options.method = Method::Paper;
   options.budget.time = 0.2;
-  const parallel::Stopwatch clock;
+  const parallel::Stopwatch stopwatch;
   const Result result = register_correspondences(problem.source, problem.target, options);
-  EXPECT_LT(clock.elapsed(), 20);  // all of its rotation graph takes minutes
+  EXPECT_LT(stopwatch.elapsed(), 20);  // all of its rotation graph takes minutes
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());
 }
 

@@ -1,11 +1,11 @@
 #include "parallel/parallel_for.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <atomic>
-#include <limits>
 #include <stdexcept>
-#include <stop_token>
+#include <thread>
 #include <vector>
 
 #include "parallel/deadline.hpp"
@@ -52,24 +52,38 @@ TEST(ResolveNumThreads, KeepsARequestAndTurnsZeroIntoEveryCore) {
   EXPECT_GE(resolve_num_threads(0), 1);
 }
 
-TEST(Deadline, PassesWithARequestToStop) {
-  std::stop_source source;
-  const Deadline deadline(1000, source.get_token());
-  const Deadline inner = deadline.within(500);
-  EXPECT_FALSE(deadline.expired());
-  EXPECT_LE(inner.remaining(), 500);
-  source.request_stop();
-  for (const Deadline& stopped : {deadline, inner}) {
-    EXPECT_TRUE(stopped.expired());
-    EXPECT_EQ(stopped.remaining(), 0);
+std::size_t allowed_parallelism() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
+TEST(ParallelFor, LeavesTheParallelismOfItsHostAsItIs) {
+  const std::size_t before = allowed_parallelism();
+  for (const int threads : {1, 2, 1000}) {
+    std::atomic<Index> num_changed = 0, num_visited = 0;
+    ::testing::internal::CaptureStderr();
+    parallel_for(100, 1, threads, [&](Index, Index) {
+      num_changed += allowed_parallelism() != before;
+      ++num_visited;
+    });
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << threads;
+    EXPECT_EQ(num_changed, 0) << threads;
+    EXPECT_EQ(num_visited, 100) << threads;
+    EXPECT_EQ(allowed_parallelism(), before) << threads;
   }
 }
 
-TEST(Deadline, OfZeroSecondsHasPassedAndOfInfinityNeverDoes) {
-  EXPECT_TRUE(Deadline(0).expired());
-  EXPECT_EQ(Deadline(0).remaining(), 0);
-  EXPECT_FALSE(Deadline(std::numeric_limits<double>::infinity()).expired());
-  EXPECT_GT(Deadline(1000).remaining(), 900);
+TEST(ParallelFor, KeepsToTheThreadsThatItsHostAllows) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const auto here = std::this_thread::get_id();
+  std::atomic<Index> num_elsewhere = 0, num_visited = 0;
+  parallel_for(100, 1, 8, [&](Index, Index) {
+    num_elsewhere += std::this_thread::get_id() != here;
+    ++num_visited;
+  });
+#ifndef GMCR_PLAIN_THREADS
+  EXPECT_EQ(num_elsewhere, 0);
+#endif
+  EXPECT_EQ(num_visited, 100);
 }
 
 }  // namespace

@@ -22,16 +22,16 @@ VALUES = {
     "num_cloud_points": 700,
     "num_sphere_points": 30,
     "num_bases": 4,
-    "source_neighbors": 5,
-    "target_neighbors": 12,
-    "association_neighbors": 2,
+    "source_neighbours": 5,
+    "target_neighbours": 12,
+    "association_neighbours": 2,
 }
 #: Changes that show where that value alone would not, or would be refused.
 VARIED = {
     "kind": {"kind": "random", "num_correspondences": 90},
     "noise_shape": {"noise_shape": "gaussian"},
     "num_bases": {"num_bases": 20},
-    "association_neighbors": {"association_neighbors": 0},
+    "association_neighbours": {"association_neighbours": 0},
 }
 #: What each of them is varied from: the structured benchmark reads them all.
 BASE = gmcr.make_synthetic(kind="structured")

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
@@ -19,8 +21,21 @@ testing::Problem any_problem() {
   return random_problem(seed, *rc::gen::inRange<Index>(15, 40), *rc::gen::inRange<Index>(0, 80));
 }
 
-/// The search meets candidates in an order that depends on the numbering and the rounding, so a
-/// borderline inlier more or less is no breach of a law.
+/// The same, but its noise fills half of the bound and its outliers miss the truth by four bounds:
+/// the largest consensus set is that of the truth, whatever the numbering and the rounding.
+testing::Problem clear_problem() {
+  auto problem = any_problem();
+  problem.noise_bound *= 2;
+  const Points residuals = problem.target - problem.truth.apply(problem.source);
+  for (Index i = 0; i < residuals.cols(); ++i) {
+    const double bounds = residuals.col(i).norm() / problem.noise_bound;
+    RC_PRE(bounds <= 0.51 || bounds > 4);
+  }
+  return problem;
+}
+
+/// The search meets candidates in an order that depends on the rounding, so a borderline inlier
+/// more or less is no breach of a law.
 bool about_equal(const Result& a, const Result& b) {
   const auto difference =
       static_cast<Index>(a.inliers.size()) - static_cast<Index>(b.inliers.size());
@@ -34,19 +49,19 @@ Options count_options(const testing::Problem& problem) {
 }
 
 RC_GTEST_PROP(Laws, MovingTheTargetMovesTheTransform, ()) {
-  const auto problem = any_problem();
+  const auto problem = clear_problem();
   testing::RandomGeometry random(*rc::gen::arbitrary<std::uint64_t>());
   const Similarity motion = random.similarity(1, 1, 10);
   const Result before = register_correspondences(problem.source, problem.target, problem.options());
   const Result after =
       register_correspondences(problem.source, motion.apply(problem.target), problem.options());
-  RC_ASSERT(about_equal(after, before));
+  RC_ASSERT(after.inliers == before.inliers);
   RC_ASSERT(mean_point_error(after.target_from_source, motion * before.target_from_source,
                              problem.source) < 5e-3);
 }
 
 RC_GTEST_PROP(Laws, PermutingTheCorrespondencesPermutesTheInliers, ()) {
-  const auto problem = any_problem();
+  const auto problem = clear_problem();
   std::vector<Index> order(static_cast<std::size_t>(problem.source.cols()));
   std::iota(order.begin(), order.end(), Index{0});
   testing::RandomGeometry random(*rc::gen::arbitrary<std::uint64_t>());
@@ -57,7 +72,10 @@ RC_GTEST_PROP(Laws, PermutingTheCorrespondencesPermutesTheInliers, ()) {
       register_correspondences(problem.source, problem.target, count_options(problem));
   const Result after = register_correspondences(
       problem.source(Eigen::all, order), problem.target(Eigen::all, order), count_options(problem));
-  RC_ASSERT(about_equal(after, before));
+  std::vector<Index> inliers;
+  for (const Index i : after.inliers) inliers.push_back(order[static_cast<std::size_t>(i)]);
+  std::sort(inliers.begin(), inliers.end());
+  RC_ASSERT(inliers == before.inliers);
   RC_ASSERT(after.certificate.lower <= before.certificate.upper);
   RC_ASSERT(before.certificate.lower <= after.certificate.upper);
 }
@@ -83,13 +101,11 @@ RC_GTEST_PROP(Laws, TheUpperBoundHoldsForTheTruth, ()) {
     const Result result = register_correspondences(problem.source, problem.target, options);
     RC_ASSERT(result.certificate.upper >= consensus_of_truth);
     RC_ASSERT(result.certificate.upper >= result.certificate.lower);
-    RC_ASSERT(result.certificate.certified ==
-              (result.certificate.upper == result.certificate.lower));
   }
 }
 
 RC_GTEST_PROP(Laws, AnAddedOutlierNeverShrinksTheConsensus, ()) {
-  const auto problem = any_problem();
+  const auto problem = clear_problem();
   const Result before =
       register_correspondences(problem.source, problem.target, count_options(problem));
   const Index count = problem.source.cols();
@@ -97,7 +113,7 @@ RC_GTEST_PROP(Laws, AnAddedOutlierNeverShrinksTheConsensus, ()) {
   source << problem.source, Eigen::Vector3d(9, 9, 9);
   target << problem.target, Eigen::Vector3d(-50, 80, 7);
   const Result after = register_correspondences(source, target, count_options(problem));
-  RC_ASSERT(about_equal(after, before));
+  RC_ASSERT(after.inliers == before.inliers);
   RC_ASSERT(after.certificate.upper >= before.certificate.lower);
 }
 

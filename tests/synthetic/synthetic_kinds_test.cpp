@@ -244,7 +244,7 @@ TEST(SyntheticStructured, MoreBasesMakeSmallerClusters) {
   EXPECT_LT(mean_companions(make_synthetic(options, tube(1500))), 0.6 * few);
 }
 
-TEST(SyntheticStructured, NarrowNeighborhoodsMakeTightClusters) {
+TEST(SyntheticStructured, NarrowNeighbourhoodsMakeTightClusters) {
   SyntheticOptions options = paper_structured_options();
   options.num_correspondences = 10;
   options.outlier_rate = 1;
@@ -260,10 +260,10 @@ TEST(SyntheticStructured, NarrowNeighborhoodsMakeTightClusters) {
   const auto narrow = widths();
   EXPECT_LT(narrow.first, 0.2);
   EXPECT_LT(narrow.second, 0.3);
-  options.target_neighbors = 200;
+  options.target_neighbours = 200;
   EXPECT_EQ(widths().first, narrow.first);
   EXPECT_GT(widths().second, 2 * narrow.second);
-  options.source_neighbors = 200;
+  options.source_neighbours = 200;
   EXPECT_GT(widths().first, 2 * narrow.first);
 }
 
@@ -277,10 +277,10 @@ TEST(SyntheticStructured, AssociationErrorsAreThereUnlessTurnedOff) {
     for (Index i = 0; i < 90; ++i) sum += residual(problem, i);
     return sum / 90;
   };
-  const double wrong_neighbor = mean_residual();
-  options.association_neighbors = 0;
+  const double wrong_neighbour = mean_residual();
+  options.association_neighbours = 0;
   EXPECT_LT(mean_residual(), 0.011);  // the mean of the noise alone is 0.0096
-  EXPECT_GT(wrong_neighbor, 0.02);
+  EXPECT_GT(wrong_neighbour, 0.02);
 }
 
 }  // namespace

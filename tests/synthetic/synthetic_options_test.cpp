@@ -63,10 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"num_sphere_points", [](auto& o) { o.num_sphere_points = -1; }},
         BadOption{"num_bases", [](auto& o) { o.num_bases = -1; }},
         BadOption{"num_bases", [](auto& o) { o.num_bases = 4; }},
-        BadOption{"source_neighbors", [](auto& o) { o.source_neighbors = -1; }},
-        BadOption{"target_neighbors", [](auto& o) { o.target_neighbors = 8; }},
-        BadOption{"target_neighbors", [](auto& o) { o.target_neighbors = 1500; }},
-        BadOption{"association_neighbors", [](auto& o) { o.association_neighbors = -1; }},
+        BadOption{"source_neighbours", [](auto& o) { o.source_neighbours = -1; }},
+        BadOption{"target_neighbours", [](auto& o) { o.target_neighbours = 8; }},
+        BadOption{"target_neighbours", [](auto& o) { o.target_neighbours = 1500; }},
+        BadOption{"association_neighbours", [](auto& o) { o.association_neighbours = -1; }},
         BadOption{"noise_bound", [](auto& o) { o.noise_bound = 100; }}));
 
 TEST(SyntheticOptions, OfThePaperAreValid) {

@@ -26,6 +26,12 @@ inline void clear_bit(Word* bits, Index i) {
   bits[i / kBitsPerWord] &= ~(Word{1} << (i % kBitsPerWord));
 }
 
+/// Sets the bits 0 ... count - 1.
+inline void set_first_bits(Word* bits, Index count) {
+  std::fill(bits, bits + count / kBitsPerWord, ~Word{0});
+  if (count % kBitsPerWord > 0) bits[count / kBitsPerWord] |= ~(~Word{0} << (count % kBitsPerWord));
+}
+
 /// Set bits among `num_words` words w(0), w(1), ...
 ///
 /// Adds within bytes, so that the compiler can vectorise the loop on machines without a popcount
@@ -88,6 +94,8 @@ struct RowsView {
 
   const Word* row(Index v) const { return words + v * words_per_row; }
   Index degree(Index v) const { return count_bits(row(v), words_per_row); }
+  /// Twice the number of edges.
+  Index num_edge_ends() const { return count_bits(words, num_vertices * words_per_row); }
 };
 
 }  // namespace gmcr::clique

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "clique/graph/aligned_words.hpp"
+#include "clique/graph/bit_rows.hpp"
+#include "kernels/aligned_words.hpp"
 #include "kernels/branch_choice.hpp"
 
 namespace gmcr::clique {
@@ -12,7 +13,7 @@ class CandidateRows {
   void reset(RowsView graph) {
     graph_ = graph;
     words_.assign(static_cast<std::size_t>(graph.words_per_row), 0);
-    for (Index v = 0; v < graph.num_vertices; ++v) set_bit(words_.data(), v);
+    set_first_bits(words_.data(), graph.num_vertices);
   }
 
   /// Valid until the next `descend`.
@@ -23,9 +24,9 @@ class CandidateRows {
   Word* descend(Index level, Index vertex) {
     Word* next = make_next(level);
     const Word* here = row(level);
-    const Word* neighbors = graph_.row(vertex);
+    const Word* neighbours = graph_.row(vertex);
     clear_bit(row(level), vertex);
-    for (Index w = 0; w < graph_.words_per_row; ++w) next[w] = here[w] & neighbors[w];
+    for (Index w = 0; w < graph_.words_per_row; ++w) next[w] = here[w] & neighbours[w];
     return next;
   }
 
@@ -47,7 +48,7 @@ class CandidateRows {
   }
 
   RowsView graph_;
-  AlignedWords words_;
+  kernels::AlignedWords words_;
 };
 
 }  // namespace gmcr::clique

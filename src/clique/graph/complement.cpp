@@ -25,9 +25,12 @@ ComplementLists complement_lists(RowsView graph) {
   return lists;
 }
 
+Index num_missing_ends(RowsView graph) {
+  return graph.num_vertices * (graph.num_vertices - 1) - graph.num_edge_ends();
+}
+
 bool is_nearly_complete(RowsView graph) {
-  const Index n = graph.num_vertices;
-  const Index missing = n * (n - 1) - count_bits(graph.words, n * graph.words_per_row);
+  const Index n = graph.num_vertices, missing = num_missing_ends(graph);
   return missing * kMaxMissingShare <= n * n && missing <= kMaxListEntries;
 }
 

@@ -13,6 +13,9 @@ using ComplementLists = std::vector<std::vector<std::int32_t>>;
 /// Cost O(n^2 / 64) and the length of the lists.
 ComplementLists complement_lists(RowsView graph);
 
+/// Twice the number of vertex pairs that are no edges.
+Index num_missing_ends(RowsView graph);
+
 /// Whether so few vertex pairs are no edges that the work on the complement pays.
 bool is_nearly_complete(RowsView graph);
 

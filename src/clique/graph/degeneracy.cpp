@@ -64,7 +64,7 @@ Degeneracy degeneracy_order(RowsView graph, SearchBudget* budget) {
   result.core.resize(n);
   DegreeBuckets buckets(graph);
   std::vector<Word> later(graph.words_per_row, 0);
-  for (Index v = 0; v < n; ++v) set_bit(later.data(), v);
+  set_first_bits(later.data(), n);
 
   for (Index i = 0; i < n; ++i) {
     const Index v = buckets.take_smallest(i);

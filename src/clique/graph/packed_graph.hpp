@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "clique/graph/aligned_words.hpp"
+#include "clique/graph/bit_rows.hpp"
 #include "clique/graph/search_budget.hpp"
+#include "kernels/aligned_words.hpp"
 #include "kernels/bit_columns.hpp"
 
 namespace gmcr::clique {
@@ -43,7 +44,7 @@ class PackedGraph {
 
   Index words_per_row_ = 0;
   std::vector<Index> vertices_;
-  AlignedWords words_;
+  kernels::AlignedWords words_;
   std::vector<Word> mask_;  // of the original graph: the vertices
   kernels::BitColumns columns_;
   std::vector<Word> half_ordered_;       // rows in order, columns ascending

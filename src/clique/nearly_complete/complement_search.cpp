@@ -1,6 +1,7 @@
 #include "clique/nearly_complete/complement_search.hpp"
 
 #include "clique/graph/colouring.hpp"
+#include "clique/graph/complement.hpp"
 #include "clique/graph/degeneracy.hpp"
 #include "clique/nearly_complete/complement_kernel.hpp"
 #include "clique/search/local_search.hpp"
@@ -12,11 +13,6 @@ namespace {
 // noisy inliers. Branch and bound settles small parts as fast.
 constexpr Index kFewStepsPerMissing = 4, kManyStepsPerMissing = 64;
 constexpr Index kSmallPart = 256;
-
-Index num_missing(RowsView graph) {
-  const Index n = graph.num_vertices;
-  return n * (n - 1) - count_bits(graph.words, n * graph.words_per_row);
-}
 
 }  // namespace
 
@@ -65,22 +61,22 @@ ComplementSearch::Part ComplementSearch::prepare(const std::vector<Index>& verti
     if (is_known[order[i]]) part.clique.push_back(static_cast<Index>(i));
   }
   part.bound = std::min(part.bound, cores.degeneracy + 1);
-  bound_by_colors(part);
+  bound_by_colours(part);
   const RowsView view = part.graph.view();
   for (const Index steps : {kFewStepsPerMissing, kManyStepsPerMissing}) {
     if (part.bound <= static_cast<Index>(part.clique.size())) break;
     if (steps == kManyStepsPerMissing && view.num_vertices <= kSmallPart) break;
-    part.clique = improve_by_swaps(view, part.clique, steps * num_missing(view), budget_);
-    bound_by_colors(part);
+    part.clique = improve_by_swaps(view, part.clique, steps * num_missing_ends(view), budget_);
+    bound_by_colours(part);
   }
   return part;
 }
 
-void ComplementSearch::bound_by_colors(Part& part) {
+void ComplementSearch::bound_by_colours(Part& part) {
   const RowsView view = part.graph.view();
   std::vector<Word> all(view.words_per_row, 0);
-  for (Index v = 0; v < view.num_vertices; ++v) set_bit(all.data(), v);
-  part.bound = std::min(part.bound, color_greedily(view, all, part.clique, &budget_).num_colors);
+  set_first_bits(all.data(), view.num_vertices);
+  part.bound = std::min(part.bound, colour_greedily(view, all, part.clique, &budget_).num_colours);
 }
 
 void ComplementSearch::search(Part& part, Index must_exceed) {

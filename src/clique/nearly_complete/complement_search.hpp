@@ -25,7 +25,7 @@ class ComplementSearch {
   };
 
   Part prepare(const std::vector<Index>& vertices, const std::vector<char>& is_known);
-  void bound_by_colors(Part& part);
+  void bound_by_colours(Part& part);
   void search(Part& part, Index must_exceed);
 
   RowsView graph_;

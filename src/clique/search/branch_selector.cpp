@@ -1,8 +1,6 @@
 #include "clique/search/branch_selector.hpp"
 
-#include <utility>
-
-#include "kernels/branch_choice.hpp"
+#include <algorithm>
 
 namespace gmcr::clique {
 namespace {
@@ -13,16 +11,11 @@ constexpr double kMinDensityToRepair = 0.4;
 // pay with few classes, but their cost grows with the square of the number of classes.
 constexpr Index kMinRepairWork = Index{1} << 22;
 constexpr Index kRepairWorkPerWord = 4;
-constexpr Index kNumRows = 4, kNumTallies = 3, kNumLists = 9;  // of scratch memory
 
 double density(RowsView graph) {
   const Index n = graph.num_vertices;
-  const Index ends = count_bits(graph.words, n * graph.words_per_row);
-  return n < 2 ? 0.0 : static_cast<double>(ends) / (static_cast<double>(n) * (n - 1));
-}
-
-bool spend(void* budget, Index num_words) {
-  return static_cast<SearchBudget*>(budget)->spend_work(num_words);
+  return n < 2 ? 0.0
+               : static_cast<double>(graph.num_edge_ends()) / (static_cast<double>(n) * (n - 1));
 }
 
 }  // namespace
@@ -30,43 +23,23 @@ bool spend(void* budget, Index num_words) {
 void BranchSelector::reset(const PackedGraph& graph) {
   graph_ = graph.view();
   repairs_ = density(graph_) >= kMinDensityToRepair;
-  rows_.resize(kNumRows * graph_.words_per_row + kNumTallies * graph_.num_vertices);
-  // one more, as a list may be written to behind its end
-  lists_.resize(kNumLists * (graph_.num_vertices + 1));
+  scratch_.resize(graph_.num_vertices);
 }
 
 bool BranchSelector::select(const Word* candidates, Index max_pruned, SearchBudget& budget,
                             std::vector<Branch>& branches, std::span<const Index> seeds) {
-  kernels::BranchChoice choice;
-  choice.rows = graph_.words;
-  choice.candidates = candidates;
-  choice.num_words = graph_.words_per_row;
-  choice.max_classes = std::clamp<Index>(max_pruned, 0, graph_.num_vertices);
-  choice.repairs = repairs_;
-  choice.max_repair_work =
+  kernels::BranchInput input;
+  input.rows = graph_.words;
+  input.candidates = candidates;
+  input.num_words = graph_.words_per_row;
+  input.max_classes = std::clamp<Index>(max_pruned, 0, graph_.num_vertices);
+  input.repairs = repairs_;
+  input.max_repair_work =
       std::max(kMinRepairWork, kRepairWorkPerWord * graph_.num_vertices * graph_.words_per_row);
-  choice.seeds = seeds.data();
-  choice.num_seeds = static_cast<Index>(seeds.size());
-  choice.spend = spend;
-  choice.budget = &budget;
-  Word* row = rows_.data();
-  for (Word** scratch : {&choice.uncolored, &choice.free, &choice.in_use, &choice.compatible}) {
-    *scratch = std::exchange(row, row + graph_.words_per_row);
-  }
-  for (Word** scratch : {&choice.members, &choice.compatible_members, &choice.other_members}) {
-    *scratch = std::exchange(row, row + graph_.num_vertices);
-  }
-  std::int32_t* list = lists_.data();
-  for (std::int32_t** scratch :
-       {&choice.first_member, &choice.unit_vertices, &choice.unit_classes, &choice.involved,
-        &choice.class_of, &choice.next_member, &choice.removed_by, &choice.branch_vertices,
-        &choice.branch_bounds}) {
-    *scratch = std::exchange(list, list + graph_.num_vertices + 1);
-  }
-  kernels::choose_branches(choice);
-  for (Index i = 0; i < choice.num_branches; ++i) {
-    branches.push_back({choice.branch_vertices[i], choice.branch_bounds[i]});
-  }
+  input.seeds = seeds;
+  input.spend = [&budget](Index num_words) { return budget.spend_work(num_words); };
+  const kernels::BranchChoice choice = kernels::choose_branches(input, scratch_);
+  branches.insert(branches.end(), choice.branches.begin(), choice.branches.end());
   return choice.is_clique;
 }
 

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "clique/graph/packed_graph.hpp"
 #include "clique/graph/search_budget.hpp"
+#include "kernels/branch_choice.hpp"
 
 namespace gmcr::clique {
 
-/// A vertex that a search node must branch on.
-struct Branch {
-  std::int32_t vertex;
-  std::int32_t bound;  ///< cliques of this vertex, the earlier branches and the rest are no larger
-};
+using kernels::Branch;
 
 /// Chooses the vertices that a search node must branch on (`kernels::choose_branches`); holds the
 /// memory for that.
@@ -29,7 +25,7 @@ class BranchSelector {
   ///
   /// The candidates that are not appended have no clique of more than `max_pruned` vertices.
   /// Once the budget is spent, all that has no class yet becomes a branch.
-  /// @param seeds  as in `color_greedily`.
+  /// @param seeds  as in `colour_greedily`.
   /// @return whether the candidates are a clique.
   bool select(const Word* candidates, Index max_pruned, SearchBudget& budget,
               std::vector<Branch>& branches, std::span<const Index> seeds = {});
@@ -37,8 +33,7 @@ class BranchSelector {
  private:
   RowsView graph_;
   bool repairs_ = false;
-  AlignedWords rows_;                // scratch of the kernel: some rows,
-  std::vector<std::int32_t> lists_;  // lists with an entry a vertex
+  kernels::BranchScratch scratch_;
 };
 
 }  // namespace gmcr::clique

@@ -28,7 +28,7 @@ constexpr std::uint64_t kMinWorkToSwap = std::uint64_t{1} << 21;
 }  // namespace
 
 Index RootSearch::run() {
-  branches_ = packed_ ? choose_branches() : branches_by_coloring();
+  branches_ = packed_ ? choose_branches() : branches_by_colouring();
   alive_ = hopeful_vertices();
   known_size_ = incumbent_.to_beat();
   const Index words_each = 3 * graph_.num_vertices * graph_.words_per_row + 1;
@@ -113,13 +113,13 @@ void RootSearch::improve_clique() {
   has_swapped_ = true;
   const Index n = graph_.num_vertices;
   if (n > kMaxVerticesToSwap) return;
-  const auto ends = static_cast<double>(count_bits(graph_.words, n * graph_.words_per_row));
+  const auto ends = static_cast<double>(graph_.num_edge_ends());
   if (ends < kMinDensityToSwap * static_cast<double>(n * (n - 1))) return;
   incumbent_.offer(improve_by_swaps(graph_, incumbent_.clique(), kSwapWork, budget_));
 }
 
 std::vector<Branch> RootSearch::choose_branches() {
-  const AlignedWords alive = hopeful_vertices();
+  const kernels::AlignedWords alive = hopeful_vertices();
   BranchSelector selector;
   selector.reset(*packed_);
   std::vector<Branch> seeded, plain;
@@ -129,21 +129,21 @@ std::vector<Branch> RootSearch::choose_branches() {
   return plain.size() < seeded.size() ? plain : seeded;
 }
 
-std::vector<Branch> RootSearch::branches_by_coloring() {
-  const AlignedWords alive = hopeful_vertices();
-  const Coloring coloring = color_greedily(graph_, alive, incumbent_.clique(), &budget_);
+std::vector<Branch> RootSearch::branches_by_colouring() {
+  const kernels::AlignedWords alive = hopeful_vertices();
+  const Colouring colouring = colour_greedily(graph_, alive, incumbent_.clique(), &budget_);
   std::vector<Branch> branches;
-  for (std::size_t i = 0; i < coloring.order.size(); ++i) {
-    if (coloring.color[i] < incumbent_.to_beat()) continue;
-    branches.push_back({static_cast<std::int32_t>(coloring.order[i]),
-                        static_cast<std::int32_t>(coloring.color[i] + 1)});
+  for (std::size_t i = 0; i < colouring.order.size(); ++i) {
+    if (colouring.colour[i] < incumbent_.to_beat()) continue;
+    branches.push_back({static_cast<std::int32_t>(colouring.order[i]),
+                        static_cast<std::int32_t>(colouring.colour[i] + 1)});
   }
   return branches;
 }
 
-AlignedWords RootSearch::hopeful_vertices() const {
-  AlignedWords vertices(graph_.words_per_row, 0);
-  for (Index v = 0; v < graph_.num_vertices; ++v) set_bit(vertices.data(), v);
+kernels::AlignedWords RootSearch::hopeful_vertices() const {
+  kernels::AlignedWords vertices(graph_.words_per_row, 0);
+  set_first_bits(vertices.data(), graph_.num_vertices);
   drop_hopeless(vertices);
   return vertices;
 }

@@ -39,8 +39,8 @@ class RootSearch {
 
  private:
   std::vector<Branch> choose_branches();
-  std::vector<Branch> branches_by_coloring();
-  AlignedWords hopeful_vertices() const;
+  std::vector<Branch> branches_by_colouring();
+  kernels::AlignedWords hopeful_vertices() const;
   void drop_hopeless(std::span<Word> vertices) const;
   bool fill(std::size_t num_active);
   void advance_all(int num_threads);
@@ -53,7 +53,7 @@ class RootSearch {
   SearchBudget& budget_;
   int num_threads_;
   std::vector<Branch> branches_;  // those to come, the next one last
-  AlignedWords alive_;
+  kernels::AlignedWords alive_;
   bool has_swapped_ = false;
   Index work_each_ = 0;   // word operations of a subproblem until the others learn of its clique
   Index known_size_ = 0;  // of the clique to beat by which `alive_` was thinned out

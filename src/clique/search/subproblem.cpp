@@ -27,20 +27,20 @@ void Subproblem::advance(Index to_beat, SearchBudget& budget) {
 }
 
 bool Subproblem::prepare(Index to_beat, SearchBudget& budget) {
-  if (num_candidates_ <= to_beat || colors_with(graph_, candidates_, to_beat, scratch_, &budget)) {
+  if (num_candidates_ <= to_beat || colours_with(graph_, candidates_, to_beat, scratch_, &budget)) {
     bound_ = std::min(bound_, 1 + to_beat);
     branch_and_bound_.clear();
     return true;
   }
   std::vector<Index> members;
   for_each_bit(candidates_.data(), graph_.words_per_row, [&](Index v) { members.push_back(v); });
-  if (!neighborhood_.assign(graph_, members, &budget)) return false;
-  const Degeneracy cores = degeneracy_order(neighborhood_.view(), &budget);
+  if (!neighbourhood_.assign(graph_, members, &budget)) return false;
+  const Degeneracy cores = degeneracy_order(neighbourhood_.view(), &budget);
   std::vector<Index> survivors;
   for (auto v = cores.order.rbegin(); v != cores.order.rend(); ++v) {
     if (cores.core[*v] >= to_beat) survivors.push_back(*v);
   }
-  if (!ordered_.assign(neighborhood_.view(), survivors, &budget)) return false;
+  if (!ordered_.assign(neighbourhood_.view(), survivors, &budget)) return false;
   branch_and_bound_.start(ordered_, to_beat, budget);
   return true;
 }
@@ -49,7 +49,7 @@ std::vector<Index> Subproblem::clique() const {
   if (state_ == State::New || branch_and_bound_.clique().empty()) return {};
   std::vector<Index> clique{vertex_};
   for (const Index v : branch_and_bound_.clique()) {
-    clique.push_back(neighborhood_.original(ordered_.original(v)));
+    clique.push_back(neighbourhood_.original(ordered_.original(v)));
   }
   return clique;
 }

@@ -44,7 +44,7 @@ class Subproblem {
   Index bound_ = 0;
   Index num_candidates_ = 0;
   std::vector<Word> candidates_, scratch_;
-  PackedGraph neighborhood_, ordered_;
+  PackedGraph neighbourhood_, ordered_;
   BranchAndBound branch_and_bound_;
 };
 

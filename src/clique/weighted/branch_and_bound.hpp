@@ -1,17 +1,56 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "clique/graph/candidate_rows.hpp"
-#include "clique/graph/search_budget.hpp"
+#include "clique/search/depth_first_search.hpp"
 #include "clique/weighted/colouring.hpp"
 #include "clique/weighted/fixed_point_weights.hpp"
 
 namespace gmcr::clique {
 
-/// Exact search for a clique heavier than a known one, in a graph small enough for a bit row per
-/// level. As `BranchAndBound`, with weights.
-class WeightedBranchAndBound {
+/// The weight of the vertices, as `DepthFirstSearch` maximises it.
+class WeightMeasure {
+ public:
+  using Value = std::int64_t;
+  using Branch = WeightedBranch;
+
+  void reset(RowsView graph, std::span<const std::int64_t> units, WeightRounding rounding,
+             SearchBudget& budget) {
+    words_ = graph.words_per_row;
+    units_ = units;
+    rounding_ = rounding;
+    colouring_.reset(graph, units, budget);
+  }
+
+  std::int64_t value(Index v) const { return units_[v]; }
+  std::int64_t to_beat(std::int64_t weight) const { return rounding_.to_beat(weight); }
+
+  std::int64_t sum(const Word* set) const {
+    std::int64_t weight = 0;
+    for_each_bit(set, words_, [&](Index v) { weight += units_[v]; });
+    return weight;
+  }
+
+  std::int64_t descend(CandidateRows& candidates, Index level, Index v) const {
+    return sum(candidates.descend(level, v));
+  }
+
+  bool select(const Word* candidates, std::int64_t max_pruned, SearchBudget&,
+              std::vector<Branch>& branches) {
+    return colouring_.select(candidates, max_pruned, Splitting::Full, branches);
+  }
+
+ private:
+  Index words_ = 0;
+  std::span<const std::int64_t> units_;
+  WeightRounding rounding_;
+  WeightedColouring colouring_;
+};
+
+/// Exact search for a clique heavier than a known one.
+class WeightedBranchAndBound : public DepthFirstSearch<WeightMeasure> {
  public:
   struct Outcome {
     std::vector<Index> clique;     ///< the heaviest above `to_beat`; empty: none met
@@ -23,33 +62,12 @@ class WeightedBranchAndBound {
   /// @param to_beat  units, >= 0.
   /// Ends early when `budget` is spent; the bound is then what is left to prove.
   Outcome search(RowsView graph, std::span<const std::int64_t> units, std::int64_t to_beat,
-                 WeightRounding rounding, SearchBudget& budget);
-
- private:
-  struct Level {
-    std::size_t first_branch;  // its branches lie there and behind, up to those of the next level
-    std::int64_t weight;       // of the vertices chosen so far
-    std::int64_t bound;        // on the cliques here, chosen vertices included
-  };
-
-  void enter_level(std::int64_t weight, std::int64_t bound);
-  void leave_level();
-  void visit_next_branch();
-  void record_clique(const Word* rest);
-  std::int64_t branch_bound() const { return levels_.back().weight + branches_.back().bound; }
-  std::int64_t unfinished_bound() const;
-  Index words_per_node() const { return graph_.num_vertices * graph_.words_per_row; }
-
-  RowsView graph_;
-  std::span<const std::int64_t> units_;
-  WeightedColoring coloring_;
-  WeightRounding rounding_;
-  std::int64_t to_beat_ = 0;
-  std::vector<Index> best_clique_;
-  std::vector<Index> chosen_;  // the vertex that leads from each level to the next
-  CandidateRows candidates_;
-  std::vector<Level> levels_;
-  std::vector<WeightedBranch> branches_;  // of all levels, the deepest last
+                 WeightRounding rounding, SearchBudget& budget) {
+    measure_.reset(graph, units, rounding, budget);
+    begin(graph, to_beat, budget);
+    run(budget);
+    return {clique(), upper_bound()};
+  }
 };
 
 }  // namespace gmcr::clique

@@ -4,20 +4,20 @@
 #include <limits>
 
 namespace gmcr::clique {
-void WeightedColoring::reset(RowsView graph, std::span<const std::int64_t> units,
-                             SearchBudget& budget) {
+void WeightedColouring::reset(RowsView graph, std::span<const std::int64_t> units,
+                              SearchBudget& budget) {
   graph_ = graph;
   units_ = units;
   budget_ = &budget;
-  uncolored_.resize(graph.words_per_row);
+  uncoloured_.resize(graph.words_per_row);
   free_.resize(graph.words_per_row);
   left_.resize(graph.num_vertices);
 }
 
-void WeightedColoring::start(const Word* candidates, Splitting splitting) {
+void WeightedColouring::start(const Word* candidates, Splitting splitting) {
   Index num_candidates = 0;
   for (Index w = 0; w < graph_.words_per_row; ++w) {
-    uncolored_[w] = candidates[w];
+    uncoloured_[w] = candidates[w];
     for (Word rest = candidates[w]; rest != 0; rest &= rest - 1) {
       const Index v = w * kBitsPerWord + std::countr_zero(rest);
       left_[v] = units_[v];
@@ -32,12 +32,12 @@ void WeightedColoring::start(const Word* candidates, Splitting splitting) {
 
 /// Fills class_ with one more independent set, which is empty where all is coloured. First come the
 /// vertices that it leaves nothing of.
-void WeightedColoring::take_class() {
+void WeightedColouring::take_class() {
   const Index words = graph_.words_per_row;
   class_.clear();
   num_done_ = 0;
-  while (first_word_ < words && uncolored_[first_word_] == 0) ++first_word_;
-  std::copy(uncolored_.begin() + first_word_, uncolored_.end(), free_.begin() + first_word_);
+  while (first_word_ < words && uncoloured_[first_word_] == 0) ++first_word_;
+  std::copy(uncoloured_.begin() + first_word_, uncoloured_.end(), free_.begin() + first_word_);
   std::int64_t lightest = std::numeric_limits<std::int64_t>::max(), heaviest = 0;
   for (Index w = first_word_; w < words; ++w) {
     while (free_[w] != 0) {
@@ -57,14 +57,14 @@ void WeightedColoring::take_class() {
   for (Index& v : class_) {
     left_[v] -= std::min(part, left_[v]);
     if (left_[v] > 0) continue;
-    clear_bit(uncolored_.data(), v);
+    clear_bit(uncoloured_.data(), v);
     std::swap(v, class_[num_done_++]);
   }
   budget_->spend_work((size + 1) * words);
 }
 
-bool WeightedColoring::select(const Word* candidates, std::int64_t max_pruned, Splitting splitting,
-                              std::vector<WeightedBranch>& branches) {
+bool WeightedColouring::select(const Word* candidates, std::int64_t max_pruned, Splitting splitting,
+                               std::vector<WeightedBranch>& branches) {
   start(candidates, splitting);
   bool is_clique = true;
   for (take_class(); !class_.empty(); take_class()) {
@@ -74,7 +74,7 @@ bool WeightedColoring::select(const Word* candidates, std::int64_t max_pruned, S
     }
     if (budget_->spent()) {
       is_clique = false;
-      for_each_bit(uncolored_.data(), graph_.words_per_row, [&](Index v) {
+      for_each_bit(uncoloured_.data(), graph_.words_per_row, [&](Index v) {
         cost_ += left_[v];
         if (cost_ > max_pruned) branches.push_back({v, cost_});
       });
@@ -84,7 +84,7 @@ bool WeightedColoring::select(const Word* candidates, std::int64_t max_pruned, S
   return is_clique;
 }
 
-bool WeightedColoring::covers(const Word* candidates, std::int64_t max_units) {
+bool WeightedColouring::covers(const Word* candidates, std::int64_t max_units) {
   start(candidates, Splitting::None);
   do {
     take_class();
@@ -93,7 +93,7 @@ bool WeightedColoring::covers(const Word* candidates, std::int64_t max_units) {
   return true;
 }
 
-std::int64_t WeightedColoring::bound(const Word* candidates) {
+std::int64_t WeightedColouring::bound(const Word* candidates) {
   const Index words = graph_.words_per_row;
   std::vector<Index> rest;
   for_each_bit(candidates, words, [&](Index v) { rest.push_back(v); });

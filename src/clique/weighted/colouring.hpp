@@ -27,7 +27,7 @@ enum class Splitting {
 /// the largest part. A vertex may be split over several classes (Held, Cook and Sewell 2012;
 /// Tavares et al. 2015). A clique has at most one vertex in each class, so it weighs no more than
 /// the classes that its vertices are spread over cost.
-class WeightedColoring {
+class WeightedColouring {
  public:
   /// Word operations that a colouring of so many vertices may take.
   static std::uint64_t most_work(Index num_vertices, Index words_per_row) {
@@ -67,10 +67,10 @@ class WeightedColoring {
   RowsView graph_;
   std::span<const std::int64_t> units_;
   SearchBudget* budget_ = nullptr;
-  Index first_word_ = 0;         // no vertex is left in the words before
-  Index split_words_left_ = 0;   // word operations that classes which split may still take
-  std::int64_t cost_ = 0;        // of all classes so far
-  std::vector<Word> uncolored_;  // vertices with weight left
+  Index first_word_ = 0;          // no vertex is left in the words before
+  Index split_words_left_ = 0;    // word operations that classes which split may still take
+  std::int64_t cost_ = 0;         // of all classes so far
+  std::vector<Word> uncoloured_;  // vertices with weight left
   std::vector<Word> free_;
   std::vector<std::int64_t> left_;  // weight that no class has taken yet
   std::vector<Index> class_;        // the latest class

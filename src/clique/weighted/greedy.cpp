@@ -27,16 +27,16 @@ std::vector<Index> greedy_heavy_clique(RowsView graph, std::span<const std::int6
   if (!packed.assign(graph, alive, &budget)) return clique;
 
   const Index n = packed.num_vertices();
-  std::vector<std::int64_t> neighborhood(n);
+  std::vector<std::int64_t> neighbourhood(n);
   for (Index v = 0; v < n; ++v) {
     alive[v] = v;
-    neighborhood[v] = units[packed.original(v)];
+    neighbourhood[v] = units[packed.original(v)];
     for_each_bit(packed.row(v), packed.words_per_row(),
-                 [&](Index u) { neighborhood[v] += units[packed.original(u)]; });
+                 [&](Index u) { neighbourhood[v] += units[packed.original(u)]; });
   }
   while (!alive.empty() && budget.spend_work(n)) {
     const Index best = *std::max_element(alive.begin(), alive.end(), [&](Index a, Index b) {
-      return neighborhood[a] < neighborhood[b];
+      return neighbourhood[a] < neighbourhood[b];
     });
     clique.push_back(packed.original(best));
     const Word* row = packed.row(best);
@@ -45,7 +45,7 @@ std::vector<Index> greedy_heavy_clique(RowsView graph, std::span<const std::int6
     for (auto v = drop; v != alive.end(); ++v) {
       const std::int64_t weight = units[packed.original(*v)];
       for_each_bit(packed.row(*v), packed.words_per_row(),
-                   [&](Index u) { neighborhood[u] -= weight; });
+                   [&](Index u) { neighbourhood[u] -= weight; });
       budget.spend_work(n);
     }
     alive.erase(drop, alive.end());

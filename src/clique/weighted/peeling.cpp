@@ -30,12 +30,12 @@ void WeightedPeeling::reset(RowsView graph, std::span<const std::int64_t> units,
     set_bit(alive_.data(), v);
     ++num_alive_;
   }
-  drop_few_neighbors(to_beat);
-  sum_neighborhoods();
+  drop_few_neighbours(to_beat);
+  sum_neighbourhoods();
 }
 
 /// Counts take a fraction of the time of sums, and of most graphs leave little to sum.
-void WeightedPeeling::drop_few_neighbors(std::int64_t to_beat) {
+void WeightedPeeling::drop_few_neighbours(std::int64_t to_beat) {
   const Index words = graph_.words_per_row;
   std::int64_t heaviest = 0;
   for (const std::int64_t weight : units_) heaviest = std::max(heaviest, weight);
@@ -54,18 +54,18 @@ void WeightedPeeling::drop_few_neighbors(std::int64_t to_beat) {
   }
 }
 
-void WeightedPeeling::sum_neighborhoods() {
+void WeightedPeeling::sum_neighbourhoods() {
   const Index n = graph_.num_vertices, words = graph_.words_per_row;
   const std::int64_t total = std::accumulate(units_.begin(), units_.end(), std::int64_t{0});
-  neighborhood_.assign(n, total);
+  neighbourhood_.assign(n, total);
   for (Index first = 0; first < words; first += kWordsPerRound) {
     const Index last = std::min(words, first + kWordsPerRound);
     if (!budget_->spend_work(count_bits(alive_.data() + first, last - first) * words)) return;
     parallel::parallel_for(last - first, 1, num_threads_, [&](Index begin, Index end) {
       for_each_bit(alive_.data() + first + begin, end - begin, [&](Index bit) {
         const Index v = (first + begin) * kBitsPerWord + bit;
-        neighborhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
-                                                                     words, units_.data(), n);
+        neighbourhood_[v] = units_[v] + kernels::sum_over_common_bits(graph_.row(v), alive_.data(),
+                                                                      words, units_.data(), n);
       });
     });
   }
@@ -75,7 +75,7 @@ void WeightedPeeling::peel(std::int64_t to_beat) {
   drop_light(to_beat);
   // where most vertices go, new sums cost less than to tell all their neighbours
   while (static_cast<Index>(dropped_.size()) > num_alive_ && num_alive_ > 0) {
-    sum_neighborhoods();
+    sum_neighbourhoods();
     if (budget_->spent()) return;
     drop_light(to_beat);
   }
@@ -87,9 +87,9 @@ void WeightedPeeling::peel(std::int64_t to_beat) {
     for (Index w = 0; w < graph_.words_per_row; ++w) {
       for (Word rest = row[w] & alive_[w]; rest != 0; rest &= rest - 1) {
         const Index u = w * kBitsPerWord + std::countr_zero(rest);
-        neighborhood_[u] -= units_[v];
+        neighbourhood_[u] -= units_[v];
         ++degree;
-        if (neighborhood_[u] <= to_beat) drop(u);
+        if (neighbourhood_[u] <= to_beat) drop(u);
       }
     }
     if (!budget_->spend_work(graph_.words_per_row + degree)) return;
@@ -99,7 +99,7 @@ void WeightedPeeling::peel(std::int64_t to_beat) {
 void WeightedPeeling::drop_light(std::int64_t to_beat) {
   dropped_.clear();
   for_each_bit(alive_.data(), graph_.words_per_row, [&](Index v) {
-    if (neighborhood_[v] <= to_beat) drop(v);
+    if (neighbourhood_[v] <= to_beat) drop(v);
   });
 }
 
@@ -109,10 +109,10 @@ void WeightedPeeling::drop(Index v) {
   dropped_.push_back(v);
 }
 
-std::int64_t WeightedPeeling::heaviest_neighborhood() const {
+std::int64_t WeightedPeeling::heaviest_neighbourhood() const {
   std::int64_t heaviest = 0;
   for_each_bit(alive_.data(), graph_.words_per_row,
-               [&](Index v) { heaviest = std::max(heaviest, neighborhood_[v]); });
+               [&](Index v) { heaviest = std::max(heaviest, neighbourhood_[v]); });
   return heaviest;
 }
 

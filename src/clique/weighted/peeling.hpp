@@ -32,14 +32,14 @@ class WeightedPeeling {
   Index num_alive() const { return num_alive_; }
 
   /// For each vertex, an upper bound on the weight of it and its neighbours that are left.
-  std::span<const std::int64_t> neighborhoods() const { return neighborhood_; }
+  std::span<const std::int64_t> neighbourhoods() const { return neighbourhood_; }
 
   /// No clique of the vertices left weighs more; 0 where none is left.
-  std::int64_t heaviest_neighborhood() const;
+  std::int64_t heaviest_neighbourhood() const;
 
  private:
-  void drop_few_neighbors(std::int64_t to_beat);
-  void sum_neighborhoods();
+  void drop_few_neighbours(std::int64_t to_beat);
+  void sum_neighbourhoods();
   void drop_light(std::int64_t to_beat);
   void drop(Index v);
 
@@ -49,7 +49,7 @@ class WeightedPeeling {
   int num_threads_ = 1;
   Index num_alive_ = 0;
   std::vector<Word> alive_;
-  std::vector<std::int64_t> neighborhood_;
+  std::vector<std::int64_t> neighbourhood_;
   std::vector<Index> dropped_;  // whose neighbours do not know it yet
 };
 

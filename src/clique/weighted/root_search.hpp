@@ -44,17 +44,17 @@ class WeightedRootSearch {
   std::vector<WeightedBranch> choose_branches(const std::vector<Word>& alive);
   std::int64_t solve_subproblem(Index vertex, std::int64_t reachable);
   std::vector<Index> surviving_vertices(std::int64_t to_beat);
-  std::int64_t mask_neighbors(Index vertex, const std::vector<Word>& alive);
+  std::int64_t mask_neighbours(Index vertex, const std::vector<Word>& alive);
 
   const OrderedPart& part_;
   RowsView graph_;
   WeightedIncumbent& incumbent_;
   SearchBudget& budget_;
-  WeightedColoring coloring_;
+  WeightedColouring colouring_;
   WeightedBranchAndBound branch_and_bound_;
   WeightedPeeling peeling_;
   std::vector<Word> candidates_;
-  OrderedPart neighborhood_, ordered_;
+  OrderedPart neighbourhood_, ordered_;
 };
 
 }  // namespace gmcr::clique

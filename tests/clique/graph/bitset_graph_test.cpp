@@ -57,5 +57,13 @@ TEST(BitRows, CountOfBitsIsThatOfPopcountForAnyLength) {
   }
 }
 
+TEST(BitRows, TheFirstBitsAreSetAndNoOthers) {
+  for (const Index count : {0, 1, 63, 64, 65, 128}) {
+    std::vector<Word> words(3, 0);
+    set_first_bits(words.data(), count);
+    for (Index i = 0; i < 192; ++i) EXPECT_EQ(test_bit(words.data(), i), i < count) << count;
+  }
+}
+
 }  // namespace
 }  // namespace gmcr::clique

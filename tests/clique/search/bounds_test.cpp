@@ -55,40 +55,40 @@ TEST(Degeneracy, OfACliqueWithATailIsThatOfTheClique) {
   EXPECT_EQ(result.core, (std::vector<Index>{4, 4, 4, 4, 4, 1, 1}));
 }
 
-RC_GTEST_PROP(Coloring, IsProperAndBoundsTheCliqueNumber, ()) {
+RC_GTEST_PROP(Colouring, IsProperAndBoundsTheCliqueNumber, ()) {
   const BitsetGraph graph = test::arbitrary_graph(0, 16, 100);
   const Index n = graph.num_vertices();
   std::vector<Index> seeds;
   if (n > 0) seeds = {test::uniform_in(0, n)};
-  const Coloring coloring = color_greedily(graph, all_vertices(graph), seeds);
-  RC_ASSERT(static_cast<Index>(coloring.order.size()) == n);
-  std::vector<Index> color(coloring.order.size(), -1);
-  for (std::size_t i = 0; i < coloring.order.size(); ++i) {
-    color[static_cast<std::size_t>(coloring.order[i])] = coloring.color[i];
-    if (i > 0) RC_ASSERT(coloring.color[i - 1] <= coloring.color[i]);
+  const Colouring colouring = colour_greedily(graph, all_vertices(graph), seeds);
+  RC_ASSERT(static_cast<Index>(colouring.order.size()) == n);
+  std::vector<Index> colour(colouring.order.size(), -1);
+  for (std::size_t i = 0; i < colouring.order.size(); ++i) {
+    colour[static_cast<std::size_t>(colouring.order[i])] = colouring.colour[i];
+    if (i > 0) RC_ASSERT(colouring.colour[i - 1] <= colouring.colour[i]);
   }
   for (Index u = 0; u < n; ++u) {
     for (Index v = 0; v < n; ++v) {
       if (graph.has_edge(u, v)) {
-        RC_ASSERT(color[static_cast<std::size_t>(u)] != color[static_cast<std::size_t>(v)]);
+        RC_ASSERT(colour[static_cast<std::size_t>(u)] != colour[static_cast<std::size_t>(v)]);
       }
     }
   }
-  if (n > 0) RC_ASSERT(color[static_cast<std::size_t>(seeds[0])] == 0);
+  if (n > 0) RC_ASSERT(colour[static_cast<std::size_t>(seeds[0])] == 0);
   const Index clique_number = test::brute_force_clique_number(graph);
-  RC_ASSERT(coloring.num_colors >= clique_number);
-  RC_ASSERT(color_greedily(graph, all_vertices(graph)).num_colors >= clique_number);
+  RC_ASSERT(colouring.num_colours >= clique_number);
+  RC_ASSERT(colour_greedily(graph, all_vertices(graph)).num_colours >= clique_number);
 }
 
-TEST(Coloring, OfASubsetIgnoresTheOtherVertices) {
+TEST(Colouring, OfASubsetIgnoresTheOtherVertices) {
   const BitsetGraph graph = test::complete_graph(70);
   std::vector<Word> subset(2, 0);
   for (const Index v : {3, 65, 69}) set_bit(subset.data(), v);
-  EXPECT_EQ(color_greedily(graph, subset).num_colors, 3);
-  EXPECT_EQ(color_greedily(graph, all_vertices(graph)).num_colors, 70);
+  EXPECT_EQ(colour_greedily(graph, subset).num_colours, 3);
+  EXPECT_EQ(colour_greedily(graph, all_vertices(graph)).num_colours, 70);
   std::vector<Word> scratch;
-  EXPECT_TRUE(colors_with(graph, subset, 3, scratch));
-  EXPECT_FALSE(colors_with(graph, subset, 2, scratch));
+  EXPECT_TRUE(colours_with(graph, subset, 3, scratch));
+  EXPECT_FALSE(colours_with(graph, subset, 2, scratch));
 }
 
 RC_GTEST_PROP(BranchSelector, LeavesNoLargeCliqueOutsideItsBranches, ()) {

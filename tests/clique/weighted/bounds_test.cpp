@@ -84,7 +84,7 @@ RC_GTEST_PROP(WeightedPeeling, LosesNoVertexOfAHeavierClique, ()) {
   const std::int64_t before = heaviest_among(graph, units, all_vertices(graph));
   const std::int64_t after = heaviest_among(graph, units, peeling.alive());
   RC_ASSERT(after == before || before <= to_beat);
-  RC_ASSERT(peeling.heaviest_neighborhood() >= after);
+  RC_ASSERT(peeling.heaviest_neighbourhood() >= after);
 }
 
 RC_GTEST_PROP(WeightedPeeling, LeavesOnlyNeighbourhoodsThatAreHeavyEnough, ()) {
@@ -105,7 +105,7 @@ RC_GTEST_PROP(WeightedPeeling, LeavesOnlyNeighbourhoodsThatAreHeavyEnough, ()) {
       if (counts) sum += units[static_cast<std::size_t>(u)];
     }
     RC_ASSERT(sum > to_beat);
-    RC_ASSERT(sum == peeling.neighborhoods()[v]);
+    RC_ASSERT(sum == peeling.neighbourhoods()[v]);
   }
   RC_ASSERT(num_alive == peeling.num_alive());
 }
@@ -117,23 +117,23 @@ TEST(WeightedPeeling, UnravelsAPathFromItsEnds) {
   SearchBudget budget = unlimited();
   WeightedPeeling peeling;
   peeling.reset(path, units, 0, budget);
-  EXPECT_EQ(peeling.heaviest_neighborhood(), 3);
+  EXPECT_EQ(peeling.heaviest_neighbourhood(), 3);
   peeling.peel(2);
   EXPECT_EQ(peeling.num_alive(), 0);
-  EXPECT_EQ(peeling.heaviest_neighborhood(), 0);
+  EXPECT_EQ(peeling.heaviest_neighbourhood(), 0);
 }
 
-RC_GTEST_PROP(WeightedColoring, BoundsTheCliquesOfTheBranchesUpToEach, ()) {
+RC_GTEST_PROP(WeightedColouring, BoundsTheCliquesOfTheBranchesUpToEach, ()) {
   const BitsetGraph graph = test::arbitrary_graph(1, 14, 100);
   const auto units = whole_units(graph.num_vertices(), *rc::gen::arbitrary<std::uint64_t>());
   const std::int64_t max_pruned = test::uniform_in(0, 40);
   const auto splitting = *rc::gen::element(Splitting::None, Splitting::Full);
   SearchBudget budget = unlimited();
-  WeightedColoring coloring;
-  coloring.reset(graph, units, budget);
+  WeightedColouring colouring;
+  colouring.reset(graph, units, budget);
   std::vector<WeightedBranch> branches;
   std::vector<Word> here = all_vertices(graph);
-  coloring.select(here.data(), max_pruned, splitting, branches);
+  colouring.select(here.data(), max_pruned, splitting, branches);
   for (; !branches.empty(); branches.pop_back()) {
     RC_ASSERT(branches.back().bound > max_pruned);
     RC_ASSERT(branches.back().bound >= heaviest_among(graph, units, here));
@@ -142,42 +142,42 @@ RC_GTEST_PROP(WeightedColoring, BoundsTheCliquesOfTheBranchesUpToEach, ()) {
   RC_ASSERT(heaviest_among(graph, units, here) <= max_pruned);
 }
 
-RC_GTEST_PROP(WeightedColoring, ThatCoversProvesThatNoCliqueIsHeavier, ()) {
+RC_GTEST_PROP(WeightedColouring, ThatCoversProvesThatNoCliqueIsHeavier, ()) {
   const BitsetGraph graph = test::arbitrary_graph(1, 14, 100);
   const auto units = whole_units(graph.num_vertices(), *rc::gen::arbitrary<std::uint64_t>());
   SearchBudget budget = unlimited();
-  WeightedColoring coloring;
-  coloring.reset(graph, units, budget);
+  WeightedColouring colouring;
+  colouring.reset(graph, units, budget);
   const std::vector<Word> all = all_vertices(graph);
   const std::int64_t heaviest = heaviest_among(graph, units, all);
-  RC_ASSERT(!coloring.covers(all.data(), heaviest - 1));
-  RC_ASSERT(coloring.covers(all.data(), std::accumulate(units.begin(), units.end(), 0)));
+  RC_ASSERT(!colouring.covers(all.data(), heaviest - 1));
+  RC_ASSERT(colouring.covers(all.data(), std::accumulate(units.begin(), units.end(), 0)));
 }
 
-TEST(WeightedColoring, ChargesAClassItsHeaviestVertex) {
+TEST(WeightedColouring, ChargesAClassItsHeaviestVertex) {
   BitsetGraph star(4);
   for (const Index leaf : {1, 2, 3}) star.add_edge(0, leaf);
   // Leaves of 1, 2, 3 share a class that costs 3; the centre costs 2 more.
   const std::vector<std::int64_t> units{2, 1, 2, 3};
   SearchBudget budget = unlimited();
-  WeightedColoring coloring;
-  coloring.reset(star, units, budget);
-  EXPECT_TRUE(coloring.covers(all_vertices(star).data(), 5));
-  EXPECT_FALSE(coloring.covers(all_vertices(star).data(), 4));
-  EXPECT_EQ(coloring.bound(all_vertices(star).data()), 5);
+  WeightedColouring colouring;
+  colouring.reset(star, units, budget);
+  EXPECT_TRUE(colouring.covers(all_vertices(star).data(), 5));
+  EXPECT_FALSE(colouring.covers(all_vertices(star).data(), 4));
+  EXPECT_EQ(colouring.bound(all_vertices(star).data()), 5);
 }
 
-TEST(WeightedColoring, IsTighterWithSplitting) {
+TEST(WeightedColouring, IsTighterWithSplitting) {
   int tighter = 0, looser = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const BitsetGraph graph = test::random_graph(60, 0.7, seed);
     const auto units = whole_units(60, seed);
     SearchBudget budget = unlimited();
-    WeightedColoring coloring;
-    coloring.reset(graph, units, budget);
+    WeightedColouring colouring;
+    colouring.reset(graph, units, budget);
     std::vector<WeightedBranch> plain, split;
-    coloring.select(all_vertices(graph).data(), 0, Splitting::None, plain);
-    coloring.select(all_vertices(graph).data(), 0, Splitting::Full, split);
+    colouring.select(all_vertices(graph).data(), 0, Splitting::None, plain);
+    colouring.select(all_vertices(graph).data(), 0, Splitting::Full, split);
     tighter += split.back().bound < plain.back().bound;
     looser += split.back().bound > plain.back().bound;
   }
@@ -185,17 +185,17 @@ TEST(WeightedColoring, IsTighterWithSplitting) {
   EXPECT_LE(looser, 5);
 }
 
-TEST(WeightedColoring, RecognisesACliqueAndNothingElse) {
+TEST(WeightedColouring, RecognisesACliqueAndNothingElse) {
   const std::vector<std::int64_t> units = whole_units(70, 1);
   SearchBudget budget = unlimited();
-  WeightedColoring coloring;
+  WeightedColouring colouring;
   std::vector<WeightedBranch> branches;
   BitsetGraph graph = test::complete_graph(70);
-  coloring.reset(graph, units, budget);
-  EXPECT_TRUE(coloring.select(all_vertices(graph).data(), 0, Splitting::Full, branches));
+  colouring.reset(graph, units, budget);
+  EXPECT_TRUE(colouring.select(all_vertices(graph).data(), 0, Splitting::Full, branches));
   graph = test::complete_multipartite_graph(70, 69);
-  coloring.reset(graph, units, budget);
-  EXPECT_FALSE(coloring.select(all_vertices(graph).data(), 0, Splitting::Full, branches));
+  colouring.reset(graph, units, budget);
+  EXPECT_FALSE(colouring.select(all_vertices(graph).data(), 0, Splitting::Full, branches));
 }
 
 TEST(WeightedBounds, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
@@ -207,16 +207,16 @@ TEST(WeightedBounds, WorkBeyondTheBudgetLeavesValidBoundsInEveryPart) {
   spent.out_of_time();
   WeightedPeeling peeling;
   peeling.reset(graph, units, 0, spent);
-  EXPECT_GE(peeling.heaviest_neighborhood(), heaviest);
+  EXPECT_GE(peeling.heaviest_neighbourhood(), heaviest);
   peeling.peel(heaviest - 1);
-  EXPECT_GE(peeling.heaviest_neighborhood(), heaviest);
-  WeightedColoring coloring;
-  coloring.reset(graph, units, spent);
+  EXPECT_GE(peeling.heaviest_neighbourhood(), heaviest);
+  WeightedColouring colouring;
+  colouring.reset(graph, units, spent);
   std::vector<WeightedBranch> branches;
-  EXPECT_FALSE(coloring.select(all_vertices(graph).data(), 20, Splitting::Full, branches));
+  EXPECT_FALSE(colouring.select(all_vertices(graph).data(), 20, Splitting::Full, branches));
   EXPECT_GE(branches.back().bound, heaviest);
-  EXPECT_FALSE(coloring.covers(all_vertices(graph).data(), 1000));
-  EXPECT_GE(coloring.bound(all_vertices(graph).data()), heaviest);
+  EXPECT_FALSE(colouring.covers(all_vertices(graph).data(), 1000));
+  EXPECT_GE(colouring.bound(all_vertices(graph).data()), heaviest);
   EXPECT_EQ(greedy_heavy_clique(graph, units, 0, graph.row(0), units, spent),
             std::vector<Index>{0});
 }

@@ -1,9 +1,9 @@
 // Rows of bits and colour classes for branch_choice_simd.cpp, once for each instruction set.
-#if defined(GMCR_COLOR_CLASSES_SIMD_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef GMCR_COLOR_CLASSES_SIMD_HPP
-#undef GMCR_COLOR_CLASSES_SIMD_HPP
+#if defined(GMCR_COLOUR_CLASSES_SIMD_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GMCR_COLOUR_CLASSES_SIMD_HPP
+#undef GMCR_COLOUR_CLASSES_SIMD_HPP
 #else
-#define GMCR_COLOR_CLASSES_SIMD_HPP
+#define GMCR_COLOUR_CLASSES_SIMD_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -71,12 +71,17 @@ struct RowLoops {
 template <int kWords>
 class Classes {
  public:
-  Classes(BranchChoice& choice, RowLoops<kWords> loops)
-      : choice_(choice), loops_(loops), work_left_(choice.max_repair_work) {}
+  Classes(const BranchInput& input, BranchScratch& scratch, RowLoops<kWords> loops)
+      : input_(input),
+        lists_(scratch),
+        in_use_(scratch.in_use.data()),
+        compatible_(scratch.compatible.data()),
+        loops_(loops),
+        work_left_(input.max_repair_work) {}
 
   void open() {
-    choice_.members[num_classes_] = 0;
-    choice_.first_member[num_classes_++] = kNone;
+    lists_.members[num_classes_] = 0;
+    lists_.first_member[num_classes_++] = kNone;
   }
 
   /// The class opened last.
@@ -84,74 +89,74 @@ class Classes {
   Index size() const { return num_classes_; }
 
   HWY_INLINE void add(Index c, Index v) {
-    choice_.class_of[v] = static_cast<std::int32_t>(c);
-    choice_.next_member[v] = choice_.first_member[c];
-    choice_.first_member[c] = static_cast<std::int32_t>(v);
-    choice_.members[c] += kOne + static_cast<Tally>(v);
+    lists_.class_of[v] = static_cast<std::int32_t>(c);
+    lists_.next_member[v] = lists_.first_member[c];
+    lists_.first_member[c] = static_cast<std::int32_t>(v);
+    lists_.members[c] += kOne + static_cast<Tally>(v);
   }
 
   /// All that is coloured is in classes that no conflict has used up yet.
-  void start_repairs() { loops_.subtract(choice_.uncolored, choice_.candidates, choice_.in_use); }
+  void start_repairs() { loops_.subtract(lists_.uncoloured.data(), input_.candidates, in_use_); }
 
-  bool may_repair() const { return choice_.repairs && work_left_ > 0; }
+  bool may_repair() const { return input_.repairs && work_left_ > 0; }
   Index work_left() const { return work_left_; }
 
   /// Finds a class for v, or a conflict that counts for one.
   bool repair(Index v) { return join(v) || make_room(v) || find_conflict(); }
 
  private:
-  const Word* row(Index v) const { return choice_.rows + v * loops_.num_words(); }
+  const Word* row(Index v) const { return input_.rows + v * loops_.num_words(); }
 
   void copy_members(Tally* to) {
     work_left_ -= num_classes_;
-    for (Index c = 0; c < num_classes_; ++c) to[c] = choice_.members[c];
+    for (Index c = 0; c < num_classes_; ++c) to[c] = lists_.members[c];
   }
 
   /// Puts v into a class without neighbours of it.
   bool join(Index v) {
     num_units_ = 0;
-    copy_members(choice_.compatible_members);
-    loops_.copy(choice_.in_use, choice_.compatible);
+    copy_members(lists_.compatible_members.data());
+    loops_.copy(in_use_, compatible_);
     const Index c = remove_incompatible(v, kNone);
     if (c == kNone) {
       list_units();
       return false;
     }
     add(c, v);
-    set_bit(choice_.in_use, v);
+    set_bit(in_use_, v);
     return true;
   }
 
   /// Moves the only neighbour of v in some class to another class.
   bool make_room(Index v) {
     for (Index i = 0; i < num_units_ && i < 2 && work_left_ > 0; ++i) {
-      const Index moved = choice_.unit_vertices[i], from = choice_.unit_classes[i];
-      const Index to = class_without_neighbors(moved, from);
+      const Index moved = lists_.unit_vertices[i], from = lists_.unit_classes[i];
+      const Index to = class_without_neighbours(moved, from);
       if (to == kNone) continue;
-      std::int32_t* link = choice_.first_member + from;
-      while (*link != moved) link = choice_.next_member + *link;
-      *link = choice_.next_member[moved];
-      choice_.members[from] -= kOne + static_cast<Tally>(moved);
+      std::int32_t* link = lists_.first_member.data() + from;
+      while (*link != moved) link = lists_.next_member.data() + *link;
+      *link = lists_.next_member[moved];
+      lists_.members[from] -= kOne + static_cast<Tally>(moved);
       add(to, moved);
       add(from, v);
-      set_bit(choice_.in_use, v);
+      set_bit(in_use_, v);
       return true;
     }
     return false;
   }
 
   /// A class other than `own` without neighbours of v.
-  Index class_without_neighbors(Index v, Index own) {
-    Tally* const left = choice_.other_members;
+  Index class_without_neighbours(Index v, Index own) {
+    Tally* const left = lists_.other_members.data();
     copy_members(left);
     left[own] = kUsedUp;
     work_left_ -= loops_.num_words();
-    const Word* const neighbors = row(v);
+    const Word* const neighbours = row(v);
     for (Index w = 0; w < loops_.num_words(); ++w) {
-      for (Word rest = choice_.in_use[w] & ~neighbors[w]; rest != 0; rest &= rest - 1) {
+      for (Word rest = in_use_[w] & ~neighbours[w]; rest != 0; rest &= rest - 1) {
         --work_left_;
         const Index member = 64 * w + __builtin_ctzll(rest);
-        const Index c = choice_.class_of[member];
+        const Index c = lists_.class_of[member];
         if ((left[c] -= kOne + static_cast<Tally>(member)) == 0) return c;
       }
     }
@@ -161,8 +166,8 @@ class Classes {
   /// Unit propagation: a clique with v and a member of every class would have each unit vertex.
   bool find_conflict() {
     for (Index i = 0; i < num_units_ && work_left_ > 0; ++i) {
-      const Index unit = choice_.unit_vertices[i];
-      clear_bit(choice_.compatible, unit);
+      const Index unit = lists_.unit_vertices[i];
+      clear_bit(compatible_, unit);
       const Index first_new = num_units_;
       const Index conflict = remove_incompatible(unit, i);
       if (conflict != kNone) {
@@ -178,19 +183,19 @@ class Classes {
   /// one compatible member become units, whose vertices are not known yet.
   /// @return a class that is left without compatible members; kNone where there is none.
   HWY_INLINE Index remove_incompatible(Index v, Index i) {
-    const Word* const neighbors = row(v);
+    const Word* const neighbours = row(v);
     work_left_ -= loops_.num_words();
     for (Index w = 0; w < loops_.num_words(); ++w) {
-      Word rest = choice_.compatible[w] & ~neighbors[w];
-      choice_.compatible[w] &= neighbors[w];
+      Word rest = compatible_[w] & ~neighbours[w];
+      compatible_[w] &= neighbours[w];
       for (; rest != 0; rest &= rest - 1) {
         const Index member = 64 * w + __builtin_ctzll(rest);
-        const std::int32_t c = choice_.class_of[member];
+        const std::int32_t c = lists_.class_of[member];
         --work_left_;
-        choice_.removed_by[member] = static_cast<std::int32_t>(i);
-        const Tally left = choice_.compatible_members[c] -= kOne + static_cast<Tally>(member);
+        lists_.removed_by[member] = static_cast<std::int32_t>(i);
+        const Tally left = lists_.compatible_members[c] -= kOne + static_cast<Tally>(member);
         if (left == 0) return c;
-        choice_.unit_classes[num_units_] = c;
+        lists_.unit_classes[num_units_] = c;
         num_units_ += left < 2 * kOne;
       }
     }
@@ -201,18 +206,18 @@ class Classes {
   void list_units() {
     num_units_ = 0;
     for (Index c = 0; c < num_classes_; ++c) {
-      choice_.unit_classes[num_units_] = static_cast<std::int32_t>(c);
-      num_units_ += choice_.compatible_members[c] < 2 * kOne;
+      lists_.unit_classes[num_units_] = static_cast<std::int32_t>(c);
+      num_units_ += lists_.compatible_members[c] < 2 * kOne;
     }
     for (Index i = 0; i < num_units_; ++i) name_unit(i);
   }
 
   /// Sets the vertex of unit i, whose class is known.
   HWY_INLINE void name_unit(Index i) {
-    const Tally left = choice_.compatible_members[choice_.unit_classes[i]];
+    const Tally left = lists_.compatible_members[lists_.unit_classes[i]];
     const auto member = static_cast<std::int32_t>(left - kOne);
-    choice_.removed_by[member] = kNone;
-    choice_.unit_vertices[i] = member;
+    lists_.removed_by[member] = kNone;
+    lists_.unit_vertices[i] = member;
   }
 
   /// Takes out of use the classes that a conflict in class `conflict` rests on: those whose units
@@ -220,22 +225,24 @@ class Classes {
   void use_up(Index conflict) {
     Index num_involved = 0;
     const auto involve = [&](Index c) {
-      if (choice_.members[c] == kUsedUp) return;
-      choice_.members[c] = kUsedUp;
-      choice_.involved[num_involved++] = static_cast<std::int32_t>(c);
+      if (lists_.members[c] == kUsedUp) return;
+      lists_.members[c] = kUsedUp;
+      lists_.involved[num_involved++] = static_cast<std::int32_t>(c);
     };
     involve(conflict);
     for (Index next = 0; next < num_involved; ++next) {
-      const Index c = choice_.involved[next];
-      for (Index v = choice_.first_member[c]; v != kNone; v = choice_.next_member[v]) {
+      const Index c = lists_.involved[next];
+      for (Index v = lists_.first_member[c]; v != kNone; v = lists_.next_member[v]) {
         --work_left_;
-        clear_bit(choice_.in_use, v);
-        if (choice_.removed_by[v] != kNone) involve(choice_.unit_classes[choice_.removed_by[v]]);
+        clear_bit(in_use_, v);
+        if (lists_.removed_by[v] != kNone) involve(lists_.unit_classes[lists_.removed_by[v]]);
       }
     }
   }
 
-  BranchChoice& choice_;
+  const BranchInput& input_;
+  BranchScratch& lists_;
+  Word *in_use_, *compatible_;
   RowLoops<kWords> loops_;
   Index work_left_;
   Index num_classes_ = 0, num_units_ = 0;

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
-#include "clique/graph/bit_rows.hpp"
-
-namespace gmcr::clique {
+namespace gmcr::kernels {
 
 /// Allocates at the boundaries of cache lines, which are also those of the widest vectors.
 template <typename T>
@@ -25,7 +24,7 @@ struct CacheLineAllocator {
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 
-/// Bit rows for the vector kernels.
-using AlignedWords = std::vector<Word, CacheLineAllocator<Word>>;
+/// Rows of bits that whole vectors are read from and written to.
+using AlignedWords = std::vector<std::uint64_t, CacheLineAllocator<std::uint64_t>>;
 
-}  // namespace gmcr::clique
+}  // namespace gmcr::kernels
