@@ -36,7 +36,7 @@ nb::object graph_of(const PointsArray& source, const PointsArray& target, const 
     const Correspondences centred = centre(input.source, input.target, input.bounds);
     BitsetGraph edges =
         consistency_graph(consistency_arrays(centred, scales.max), scales, watched.num_threads);
-    const PairFilter filter(centred, options.priors, options.one_to_one, scales);
+    const PairFilter filter(centred, options, options.one_to_one, scales);
     filter.apply(edges, scales, watched.num_threads);
     for (Index i = 0; i < input.size(); ++i) is_admitted[i] = filter.admits(i, scales);
     return edges;

@@ -14,7 +14,7 @@ namespace {
 /// A given pose is judged by a given bound.
 void require_given_noise(const Options& options) {
   if (options.noise_mode == NoiseMode::Given) return;
-  throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
+  throw InvalidOption("noise_mode", "is 'estimated', but a given pose needs a noise bound");
 }
 
 /// @throws std::invalid_argument where a pose is none.
@@ -31,7 +31,7 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   require_given_noise(options);
   require_pose(target_from_source);
   const Correspondences input = correspondences_of(source, target, options);
-  const Hypothesis judged = Objective(input, options.evidence, options.budget.memory / 4,
+  const Hypothesis judged = Objective(input, options.evidence, options.memory_limit / 4,
                                       DistinctEvidence::kAllScales, octaves_of(options, input))
                                 .judge(target_from_source);
   return {judged.inliers, judged.evidence};
@@ -50,10 +50,10 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
   }
   const Correspondences input = correspondences_of(source, target, options);
   Uncertainty uncertainty = measure_uncertainty(target_from_source, input, inliers, options,
-                                                Deadline(options.budget.time, options.stop));
+                                                Deadline(options.time_limit, options.stop));
   const bool determined =
       uncertainty.covariance && degeneracy_reason(source, target_from_source, inliers,
-                                                  input.bounds(inliers).maxCoeff(), options.priors)
+                                                  input.bounds(inliers).maxCoeff(), options)
                                     .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;

@@ -115,7 +115,7 @@ class PatternSearch {
 Hypothesis climb_by_motions(const Objective& objective, const PoseConstraints& constraints,
                             Hypothesis best) {
   constexpr double kNear = 1.6;
-  if (best.num_inliers() < kMinInliers || !constraints.priors.empty()) return best;
+  if (best.num_inliers() < kMinInliers || !constraints.priors.admit_all()) return best;
   const NearSet near(objective, best.target_from_source, kNear);
   PatternSearch search(near, constraints, best);
   Hypothesis next = objective.judge(search.run());

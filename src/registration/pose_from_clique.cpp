@@ -57,7 +57,7 @@ std::optional<Similarity> staged_pose(SolveContext& context, const Correspondenc
       translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
                             pose.scale, pose.rotation, kMaxCliqueNodes);
   pose.translation = translation.translation;
-  if (constraints.priors.empty()) return pose;
+  if (constraints.priors.admit_all()) return pose;
   return fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
                   translation.correspondences, at_scale(constraints, pose.scale));
 }

@@ -112,7 +112,7 @@ void PoseSearch::offer(const Similarity& pose) {
   ++context_.diagnostics().num_candidates;
   const Correspondences& c = objective_.correspondences();
   Hypothesis judged = objective_.judge(pose);
-  if (!constraints_.priors.empty()) {
+  if (!constraints_.priors.admit_all()) {
     const auto admitted = fit_pose(c.source, c.target, c.bounds, judged.inliers, constraints_);
     if (!admitted) return;
     judged = objective_.judge(*admitted);

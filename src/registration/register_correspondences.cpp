@@ -32,7 +32,7 @@ std::vector<Index> indices_below(Index count) {
 std::vector<Index> admitted_correspondences(const Correspondences& centred, const Options& options,
                                             const ScaleRange& scales) {
   std::vector<Index> admitted = indices_below(centred.size());
-  const PairFilter filter(centred, options.priors, false, scales);
+  const PairFilter filter(centred, options, false, scales);
   std::erase_if(admitted, [&](Index i) { return !filter.admits(i, scales); });
   return admitted;
 }
@@ -67,7 +67,7 @@ ScaleRange scales_to_search(const Options& options, const Correspondences& corre
 
 std::string no_pose_reason(const Diagnostics& diagnostics, const Options& options) {
   if (!diagnostics.limits_hit.empty()) return "no pose was found before a limit ended the search";
-  return options.priors.empty() ? "no three correspondences agree on a pose"
+  return options.admit_all() ? "no three correspondences agree on a pose"
                                 : "no three correspondences agree on a pose that the priors admit, "
                                   "as far as was found";
 }
@@ -118,15 +118,15 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 
   const Objective objective = [&] {
     const StageTimer timer(context, "evidence");
-    return Objective(centred, options.evidence, options.budget.memory / 4, scales,
+    return Objective(centred, options.evidence, options.memory_limit / 4, scales,
                      octaves_of(options, input));
   }();
   if (!objective.weights_complete()) {
     context.limit("the memory budget does not suffice for distinct evidence: inliers were counted");
   }
-  const PoseConstraints constraints{scales, options.priors, centred.source_origin,
+  const PoseConstraints constraints{scales, options, centred.source_origin,
                                     centred.target_origin};
-  const PairFilter filter(centred, options.priors, options.one_to_one, scales);
+  const PairFilter filter(centred, options, options.one_to_one, scales);
   MethodResult found = options.method == Method::Gmcr
                            ? solve_gmcr(context, objective, constraints, filter)
                            : solve_paper(context, centred, constraints, filter);
@@ -134,7 +134,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
   if (options.least_squares) {
     for (Similarity& pose : found.poses) pose = fit_to_consensus(objective, constraints, pose);
   }
-  found.poses = admitted_poses(found.poses, centred, options.priors);
+  found.poses = admitted_poses(found.poses, centred, options);
   if (found.poses.empty()) {
     return give_up(Status::NoConsensus, no_pose_reason(diagnostics, options), found.upper_bound);
   }

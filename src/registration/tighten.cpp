@@ -36,7 +36,7 @@ double tighten(PoseSearch& search, const RangeGraph& range, Measure measure, dou
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
   if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
-      search.context().options().budget.memory) {
+      search.context().options().memory_limit) {
     search.context().limit("the memory budget leaves no room to tighten the bounds");
     return upper_bound;
   }

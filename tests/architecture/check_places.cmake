@@ -42,6 +42,7 @@ only_in("Unseeded randomness" "random_device|[^a-z_]rand\\(")
 
 set(upper registration frontend io synthetic)
 not_in(geometry invariants estimation consensus clique kernels ${upper})
+not_in(options invariants estimation consensus clique kernels parallel ${upper})
 not_in(kernels geometry invariants estimation consensus clique ${upper})
 not_in(parallel geometry invariants estimation consensus clique kernels ${upper})
 not_in(clique geometry invariants estimation consensus ${upper})

@@ -18,7 +18,7 @@ struct Bench {
   SolveContext context{options, diagnostics};
   Objective objective{correspondences, Evidence::Distinct, kEnough};
   PoseConstraints constraints;
-  PairFilter filter{correspondences, options.priors, false, constraints.scales};
+  PairFilter filter{correspondences, options, false, constraints.scales};
 
   Bench(const testing::Problem& problem, const ScaleRange& scales)
       : correspondences{problem.source, problem.target,
