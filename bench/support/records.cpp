@@ -49,6 +49,8 @@ std::string input_hash(const PointsRef& source, const PointsRef& target) {
 }
 
 Json describe(const Result& result) {
+  Json limits = Json::array();
+  for (const LimitHit& hit : result.diagnostics.limits_hit) limits.push_back(hit.sentence);
   Json stages = Json::object();
   for (const StageTime& stage : result.diagnostics.stages) {
     stages[stage.name] = 1e3 * stage.seconds;
@@ -68,7 +70,7 @@ Json describe(const Result& result) {
                  {"num_candidates", result.diagnostics.num_candidates},
                  {"num_scale_ranges", result.diagnostics.num_scale_ranges},
                  {"num_clique_nodes", result.diagnostics.num_clique_nodes},
-                 {"limits_hit", result.diagnostics.limits_hit},
+                 {"limits_hit", limits},
                  {"threads", result.diagnostics.num_threads},
                  {"stages_ms", stages}};
   if (result.noise_estimate) {

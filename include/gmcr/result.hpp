@@ -82,6 +82,30 @@ struct StageTime {
   double seconds = 0;
 };
 
+/// What ended a part of the work before it was complete.
+enum class Limit {
+  Time,             ///< `Budget::time`
+  Stopped,          ///< the caller, through `Options::stop` or `Options::progress`
+  Memory,           ///< `Budget::memory`
+  CliqueSearch,     ///< a search for a maximum clique ended before its proof
+  EvidenceSearch,   ///< a search for the clique of most evidence ended before its proof
+  ScaleSearch,      ///< the branch and bound over the scale ended before its proof
+  ConsensusSearch,  ///< the search over consensus sets (`Options::certify`) ended before its proof
+};
+
+/// All of them, in this order.
+inline constexpr Limit kLimits[] = {
+    Limit::Time,           Limit::Stopped,     Limit::Memory,         Limit::CliqueSearch,
+    Limit::EvidenceSearch, Limit::ScaleSearch, Limit::ConsensusSearch};
+
+/// A limit that made the work less than complete.
+struct LimitHit {
+  Limit limit = Limit::Time;
+  std::string sentence;  ///< what it ended, for people
+
+  bool operator==(const LimitHit&) const = default;
+};
+
 /// What the solver did.
 struct Diagnostics {
   std::vector<StageTime> stages;  ///< in order of first use; times of repeated stages are summed
@@ -93,8 +117,7 @@ struct Diagnostics {
   Index num_scale_ranges = 0;          ///< scale ranges whose graph was searched
   std::uint64_t num_clique_nodes = 0;  ///< search nodes of all clique searches
   int num_threads = 0;
-  /// One sentence for each limit that made the work less than complete; empty: none did.
-  std::vector<std::string> limits_hit;
+  std::vector<LimitHit> limits_hit;  ///< each sentence once; empty: the work is complete
 };
 
 struct Result {
@@ -129,5 +152,9 @@ struct Result {
 
 /// "ok", "too_few_correspondences", "no_consensus" or "degenerate".
 const char* to_string(Status status);
+
+/// "time", "stopped", "memory", "clique_search", "evidence_search", "scale_search" or
+/// "consensus_search".
+const char* to_string(Limit limit);
 
 }  // namespace gmcr

@@ -33,7 +33,7 @@ inline constexpr Range kRatio{[](double v) { return v > 0 && v <= 1; }, "in (0, 
 inline constexpr Range kThreads{[](double v) { return v >= 0 && v <= 1024; }, "in [0, 1024]"};
 /// pi itself may come rounded.
 inline constexpr Range kAngle{
-    [](double v) { return v >= 0 && v <= std::numbers::pi + kAngleSlack; }, "in [0, pi]"};
+    [](double v) { return v >= 0 && v <= std::numbers::pi + geometry::kAngleSlack; }, "in [0, pi]"};
 inline constexpr Range kDirection{[](double v) { return v > 0; }, "a finite vector other than 0"};
 inline constexpr Range kFinite{[](double v) { return std::isfinite(v); }, "finite"};
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "gmcr/registration.hpp"
-#include "invariants/correspondences.hpp"
 #include "parallel/deadline.hpp"
-#include "registration/input.hpp"
+#include "problem/correspondences.hpp"
+#include "problem/input.hpp"
 
 namespace gmcr {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// The options for some of the correspondences.
 Options options_of(const Options& options, const std::vector<Index>& left, double seconds) {
   Options some = options;
-  some.time_limit = std::max(seconds, kLeastSeconds);
+  some.time_limit = std::max(seconds, parallel::kLeastSeconds);
   if (!options.noise_bounds.empty()) {
     some.noise_bounds.clear();
     for (const Index i : left) {
@@ -35,16 +35,16 @@ void renumber(std::vector<Index>& indices, const std::vector<Index>& left) {
 
 std::vector<Result> register_instances(const PointsRef& source, const PointsRef& target,
                                        const Options& options, const InstanceOptions& instances) {
-  validate_input(source, target, options);
+  problem::validate_input(source, target, options);
   instances.validate();
-  const Deadline deadline(options.time_limit, options.stop);
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   std::vector<Index> left(static_cast<std::size_t>(source.cols()));
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Result> found;
   while (static_cast<int>(found.size()) < instances.max_instances) {
     if (!found.empty() && deadline.expired()) {
       found.front().diagnostics.limits_hit.push_back(
-          "the time budget ended the search for further instances");
+          {Limit::Time, "the time budget ended the search for further instances"});
       break;
     }
     if (!found.empty() && static_cast<Index>(left.size()) < instances.min_instance_inliers) break;

@@ -16,4 +16,24 @@ const char* to_string(Status status) {
   return "unknown";
 }
 
+const char* to_string(Limit limit) {
+  switch (limit) {
+    case Limit::Time:
+      return "time";
+    case Limit::Stopped:
+      return "stopped";
+    case Limit::Memory:
+      return "memory";
+    case Limit::CliqueSearch:
+      return "clique_search";
+    case Limit::EvidenceSearch:
+      return "evidence_search";
+    case Limit::ScaleSearch:
+      return "scale_search";
+    case Limit::ConsensusSearch:
+      return "consensus_search";
+  }
+  return "unknown";
+}
+
 }  // namespace gmcr

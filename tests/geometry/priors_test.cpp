@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gmcr {
+namespace gmcr::geometry {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,4 +49,4 @@ TEST(Priors, AdmitWhatIsWithinEveryLimit) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::geometry

@@ -6,7 +6,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
@@ -246,7 +246,7 @@ TEST(RegisterCorrespondences, StopsWhenTheTimeIsUpAndSaysSo) {
   options.time_limit = 1e-9;
   const Result result = register_correspondences(problem.source, problem.target, options);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
-  EXPECT_NE(result.diagnostics.limits_hit[0].find("time"), std::string::npos);
+  EXPECT_NE(result.diagnostics.limits_hit[0].sentence.find("time"), std::string::npos);
   EXPECT_FALSE(result.certificate.certified);
   EXPECT_GE(result.certificate.upper, 20);
 }
@@ -263,7 +263,7 @@ TEST(RegisterCorrespondences, StopsWhenTheProgressCallbackSaysSo) {
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_EQ(calls, 3);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
-  EXPECT_NE(result.diagnostics.limits_hit[0].find("caller"), std::string::npos);
+  EXPECT_NE(result.diagnostics.limits_hit[0].sentence.find("caller"), std::string::npos);
 }
 
 TEST(RegisterCorrespondences, StopsAtARequest) {
@@ -277,8 +277,8 @@ TEST(RegisterCorrespondences, StopsAtARequest) {
     options.stop = source.get_token();
     const Result result = register_correspondences(problem.source, problem.target, options);
     ASSERT_FALSE(result.diagnostics.limits_hit.empty());
-    EXPECT_NE(result.diagnostics.limits_hit[0].find("caller"), std::string::npos)
-        << result.diagnostics.limits_hit[0];
+    EXPECT_NE(result.diagnostics.limits_hit[0].sentence.find("caller"), std::string::npos)
+        << result.diagnostics.limits_hit[0].sentence;
   }
 }
 
@@ -297,4 +297,4 @@ TEST(RegisterCorrespondences, ReportsWhatItDid) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -12,7 +12,7 @@
 #include "gmcr/synthetic.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 /// Three instances of one source in a target, 30, 22 and 16 matches, mixed with 32 random ones.
@@ -189,7 +189,7 @@ TEST(RegisterInstances, SaysWhenTheTimeEndedTheSearch) {
   const auto found = register_instances(scene.source, scene.target, options);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_FALSE(found[0].diagnostics.limits_hit.empty());
-  EXPECT_NE(found[0].diagnostics.limits_hit.back().find("instances"), std::string::npos);
+  EXPECT_NE(found[0].diagnostics.limits_hit.back().sentence.find("instances"), std::string::npos);
 }
 
 TEST(RegisterInstances, ShareTheTime) {
@@ -223,4 +223,4 @@ TEST(RegisterInstances, EndsWhenAllMatchesAreUsedUp) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -9,7 +9,7 @@
 
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 TEST(RegisterCorrespondences, RefusesInputThatBreaksTheContract) {
@@ -42,4 +42,4 @@ TEST(RegisterCorrespondences, RefusesInputThatBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration
