@@ -28,7 +28,7 @@ namespace {
 
 constexpr Index kCount = 4096;  // whole blocks; all arrays fit the L2 cache
 
-const kernels::CorrespondenceArrays& arrays() {
+const geometry::CorrespondenceArrays& arrays() {
   static const auto result = problem::consistency_arrays(random_correspondences(kCount, 0.95), 1);
   return result;
 }
@@ -46,7 +46,7 @@ void time_consistency_rows(benchmark::State& state, double scale_min, double sca
 
 void time_consistency_tiles(benchmark::State& state, double scale_min, double scale_max,
                             bool equal_bounds) {
-  kernels::CorrespondenceArrays same = arrays();
+  geometry::CorrespondenceArrays same = arrays();
   if (!equal_bounds) same.bounds[0] *= 2;
   const kernels::ConsistencyTiles tiles(same, scale_min, scale_max);
   if (!tiles.is_single_precision()) state.SkipWithError("not in single precision");

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/types.hpp"
@@ -79,5 +80,18 @@ struct Uncertainty {
 Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
                                  const PointsRef& target, const std::vector<Index>& inliers,
                                  const Options& options);
+
+/// The graph whose edges are the pairs of correspondences that can be inliers of one transform:
+/// those that agree at a scale that the options admit and that the priors and one-to-one leave. The
+/// consensus set of every admitted transform is a clique of it.
+///
+/// @param source, target, options  as for `register_correspondences`; where the scale is estimated,
+///   `options.scale_range` says between which scales.
+/// @return a graph over all correspondences; what the priors exclude has no edge.
+/// @throws std::invalid_argument as `evaluate_consensus`, and where the scale is estimated without
+///   a range.
+/// Cost O(N^2) time, N^2 / 8 bytes.
+BitsetGraph consistency_graph(const PointsRef& source, const PointsRef& target,
+                              const Options& options);
 
 }  // namespace gmcr

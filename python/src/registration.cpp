@@ -2,18 +2,13 @@
 
 #include "bindings.hpp"
 #include "interruptible.hpp"
-#include "problem/consistency_graph.hpp"
-#include "problem/input.hpp"
-#include "problem/pair_filter.hpp"
 
 namespace gmcr::python {
 namespace {
 
-/// (N, N) bool, without the edges of the other vertices.
-nb::object dense(const BitsetGraph& graph, const std::vector<bool>& is_vertex) {
-  const auto is_edge = [&](Index u, Index v) {
-    return u != v && is_vertex[u] && is_vertex[v] && graph.has_edge(u, v);
-  };
+/// (N, N) bool.
+nb::object dense(const BitsetGraph& graph) {
+  const auto is_edge = [&](Index u, Index v) { return u != v && graph.has_edge(u, v); };
   const Index n = graph.num_vertices();
   using Rows = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   auto* rows = new Rows(Rows::NullaryExpr(n, n, is_edge));
@@ -23,27 +18,9 @@ nb::object dense(const BitsetGraph& graph, const std::vector<bool>& is_vertex) {
 }
 
 nb::object graph_of(const PointsArray& source, const PointsArray& target, const Options& options) {
-  problem::validate_input(points_of(source), points_of(target), options);
-  const problem::Correspondences input =
-      problem::correspondences_of(points_of(source), points_of(target), options);
-  const ScaleRange scales = options.scale_mode == ScaleMode::Known
-                                ? ScaleRange{options.scale, options.scale}
-                                : options.scale_range.value_or(ScaleRange{0, 0});
-  if (!(scales.min > 0)) {
-    throw std::invalid_argument("scale_range: the graph of an unknown scale needs one");
-  }
-  std::vector<bool> is_admitted(static_cast<std::size_t>(input.size()));
-  const BitsetGraph graph = interruptible(options, [&](const Options& watched) {
-    const problem::Correspondences centred =
-        problem::centre(input.source, input.target, input.bounds);
-    BitsetGraph edges = problem::consistency_graph(problem::consistency_arrays(centred, scales.max),
-                                                   scales, watched.num_threads);
-    const problem::PairFilter filter(centred, options, options.one_to_one, scales);
-    filter.apply(edges, scales, watched.num_threads);
-    for (Index i = 0; i < input.size(); ++i) is_admitted[i] = filter.admits(i, scales);
-    return edges;
-  });
-  return dense(graph, is_admitted);
+  return dense(interruptible(options, [&](const Options& watched) {
+    return consistency_graph(points_of(source), points_of(target), watched);
+  }));
 }
 
 }  // namespace

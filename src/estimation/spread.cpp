@@ -15,8 +15,8 @@ Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices
   return {centred.colwise().norm().maxCoeff(), off_axis.colwise().norm().maxCoeff()};
 }
 
-double reach_from_line(const PointsRef& points, const std::vector<Index>& indices,
-                       const Eigen::Vector3d& direction) {
+double distance_from_line(const PointsRef& points, const std::vector<Index>& indices,
+                          const Eigen::Vector3d& direction) {
   if (indices.empty()) return 0;
   const Points chosen = points(Eigen::all, indices);
   const Points centred = chosen.colwise() - chosen.rowwise().mean().eval();

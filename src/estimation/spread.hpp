@@ -17,7 +17,7 @@ struct Spread {
 Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices);
 
 /// Longest distance of the points from the line along `direction` through their centroid, metres.
-double reach_from_line(const PointsRef& points, const std::vector<Index>& indices,
-                       const Eigen::Vector3d& direction);
+double distance_from_line(const PointsRef& points, const std::vector<Index>& indices,
+                          const Eigen::Vector3d& direction);
 
 }  // namespace gmcr::estimation

@@ -17,7 +17,7 @@ Difference difference(const Eigen::MatrixX3d& points, Index i, Index j) {
 
 }  // namespace
 
-bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double scale_min,
+bool is_consistent(const geometry::CorrespondenceArrays& arrays, Index i, Index j, double scale_min,
                    double scale_max) {
   const double a = difference(arrays.source, i, j).squared_norm();
   const double b = difference(arrays.target, i, j).squared_norm();
@@ -31,8 +31,8 @@ bool is_consistent(const CorrespondenceArrays& arrays, Index i, Index j, double 
   return not_too_long & not_too_short;
 }
 
-void consistency_row_reference(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                               double scale_max, std::span<std::uint64_t> row) {
+void consistency_row_reference(const geometry::CorrespondenceArrays& arrays, Index i,
+                               double scale_min, double scale_max, std::span<std::uint64_t> row) {
   std::fill(row.begin(), row.end(), 0);
   for (Index j = 0; j < arrays.size(); ++j) {
     if (j == i || !is_consistent(arrays, i, j, scale_min, scale_max)) continue;

@@ -10,8 +10,8 @@
 #define GMCR_KERNELS_CONSISTENCY_ROW_SIMD_POINTERS
 namespace gmcr::kernels {
 
-/// `CorrespondenceArrays` as plain data: code of one instruction set instantiates no template that
-/// code of another could be linked to.
+/// `geometry::CorrespondenceArrays` as plain data: code of one instruction set instantiates no
+/// template that code of another could be linked to.
 struct CorrespondencePointers {
   const double *source[3], *target[3], *bounds;
   Index size;
@@ -116,7 +116,7 @@ HWY_EXPORT(consistency_words);
 
 namespace {
 
-CorrespondencePointers pointers_of(const CorrespondenceArrays& arrays) {
+CorrespondencePointers pointers_of(const geometry::CorrespondenceArrays& arrays) {
   const auto &a = arrays.source, &b = arrays.target;
   return {{a.col(0).data(), a.col(1).data(), a.col(2).data()},
           {b.col(0).data(), b.col(1).data(), b.col(2).data()},
@@ -124,7 +124,7 @@ CorrespondencePointers pointers_of(const CorrespondenceArrays& arrays) {
           arrays.size()};
 }
 
-std::uint64_t last_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
+std::uint64_t last_word(const geometry::CorrespondenceArrays& arrays, Index i, double scale_min,
                         double scale_max) {
   std::uint64_t bits = 0;
   for (Index j = arrays.size() / 64 * 64; j < arrays.size(); ++j) {
@@ -136,8 +136,8 @@ std::uint64_t last_word(const CorrespondenceArrays& arrays, Index i, double scal
 
 }  // namespace
 
-std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, double scale_min,
-                               double scale_max, Index word) {
+std::uint64_t consistency_word(const geometry::CorrespondenceArrays& arrays, Index i,
+                               double scale_min, double scale_max, Index word) {
   if (word == arrays.size() / 64) return last_word(arrays, i, scale_min, scale_max);
   std::uint64_t bits = 0;
   HWY_DYNAMIC_DISPATCH(consistency_words)
@@ -145,7 +145,7 @@ std::uint64_t consistency_word(const CorrespondenceArrays& arrays, Index i, doub
   return bits;
 }
 
-void consistency_row(const CorrespondenceArrays& arrays, Index i, double scale_min,
+void consistency_row(const geometry::CorrespondenceArrays& arrays, Index i, double scale_min,
                      double scale_max, std::span<std::uint64_t> row, Index first_word) {
   const Index num_full_words = arrays.size() / 64;
   HWY_DYNAMIC_DISPATCH(consistency_words)

@@ -69,7 +69,7 @@ void write_points(const Eigen::MatrixX3d& points, const Ball& ball, double scale
 
 }  // namespace
 
-ConsistencyTiles::ConsistencyTiles(const CorrespondenceArrays& arrays, double scale_min,
+ConsistencyTiles::ConsistencyTiles(const geometry::CorrespondenceArrays& arrays, double scale_min,
                                    double scale_max)
     : arrays_(arrays), scale_min_(scale_min), scale_max_(scale_max), pairs_{} {
   if (arrays.size() >= kLeastSize) prepare_single_precision();

@@ -32,7 +32,8 @@ struct SinglePrecisionPairs {
 class ConsistencyTiles {
  public:
   /// Keeps a reference to `arrays`. Cost O(N).
-  ConsistencyTiles(const CorrespondenceArrays& arrays, double scale_min, double scale_max);
+  ConsistencyTiles(const geometry::CorrespondenceArrays& arrays, double scale_min,
+                   double scale_max);
   ConsistencyTiles(const ConsistencyTiles&) = delete;
   ConsistencyTiles& operator=(const ConsistencyTiles&) = delete;
 
@@ -48,7 +49,7 @@ class ConsistencyTiles {
  private:
   void prepare_single_precision();
 
-  const CorrespondenceArrays& arrays_;
+  const geometry::CorrespondenceArrays& arrays_;
   double scale_min_, scale_max_;
   std::vector<PairBlock> blocks_;
   SinglePrecisionPairs pairs_;  ///< points into `blocks_`

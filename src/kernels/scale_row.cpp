@@ -32,8 +32,8 @@ BinSpan covered_bins(const ScaleCells& cells, double lower, double upper, double
                      edges_below(cells, std::min(upper, cells.max)) + 1);
 }
 
-BinSpan agreeing_bins(const CorrespondenceArrays& arrays, const ScaleCells& cells, Index i,
-                      Index j) {
+BinSpan agreeing_bins(const geometry::CorrespondenceArrays& arrays, const ScaleCells& cells,
+                      Index i, Index j) {
   const double a = distance(arrays.source, i, j), b = distance(arrays.target, i, j);
   const double e = arrays.bounds[i] + arrays.bounds[j];
   if (a < kCoincident) {

@@ -43,14 +43,14 @@ BinSpan covered_bins(const ScaleCells& cells, double lower, double upper, double
 ///   (|b_j - b_i| - e) / |a_j - a_i| <= scale <= (|b_j - b_i| + e) / |a_j - a_i|.
 /// Names more bins than those only where the interval ends within rounding of an edge, or the
 /// source points coincide to less than 1e-100 m.
-BinSpan agreeing_bins(const CorrespondenceArrays& arrays, const ScaleCells& cells, Index i,
-                      Index j);
+BinSpan agreeing_bins(const geometry::CorrespondenceArrays& arrays, const ScaleCells& cells,
+                      Index i, Index j);
 
 /// The same for i and each j in [begin, N), by the instruction set of this machine: the same bins
 /// on every one.
 /// @param spans  N entries; those before `begin` may be written too. Entry i means nothing.
 /// Cost O(N), a table lookup for each end of an interval.
-void scale_row(const CorrespondenceArrays& arrays, const ScaleCells& cells, Index i, Index begin,
-               std::span<BinSpan> spans);
+void scale_row(const geometry::CorrespondenceArrays& arrays, const ScaleCells& cells, Index i,
+               Index begin, std::span<BinSpan> spans);
 
 }  // namespace gmcr::kernels

@@ -92,8 +92,8 @@ namespace gmcr::kernels {
 HWY_EXPORT(scale_spans);
 HWY_EXPORT(num_lanes);
 
-void scale_row(const CorrespondenceArrays& arrays, const ScaleCells& cells, Index i, Index begin,
-               std::span<BinSpan> spans) {
+void scale_row(const geometry::CorrespondenceArrays& arrays, const ScaleCells& cells, Index i,
+               Index begin, std::span<BinSpan> spans) {
   const Index n = arrays.size();
   if (begin >= n) return;
   if (n < HWY_DYNAMIC_DISPATCH(num_lanes)()) {

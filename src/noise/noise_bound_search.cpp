@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "gmcr/registration.hpp"
-#include "problem/correspondences.hpp"
+#include "estimation/admitted.hpp"
+#include "paper/paper_method.hpp"
+#include "problem/problem.hpp"
+#include "search/best_poses.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -69,9 +71,25 @@ std::vector<double> measure_length_differences(const Points& source, const Point
   return differences;
 }
 
+/// The pose that holds the most, between the caller's frames, if it holds 3.
+std::optional<Similarity> find_pose(const problem::Problem& problem, problem::Run& run) {
+  if (problem.is_too_small()) return std::nullopt;
+  const problem::Found found = problem.options().method == Method::Paper
+                                   ? paper::solve(problem, run)
+                                   : search::BestPoseSearch(problem, run).found();
+  if (found.poses.empty()) return std::nullopt;
+  const auto pose = estimation::admitted_pose(
+      problem::uncentre(found.poses.front(), problem.correspondences()).similarity,
+      problem.options());
+  if (!pose) return std::nullopt;
+  const problem::CallerObjective count(problem.input(), Evidence::Count, 0);
+  return count.judge({*pose}).num_inliers() < problem::kMinInliers ? std::nullopt : pose;
+}
+
 }  // namespace
 
-BoundSearch::BoundSearch(const PointsRef& source, const PointsRef& target, const Options& options)
+NoiseBoundSearch::NoiseBoundSearch(const PointsRef& source, const PointsRef& target,
+                                   const Options& options)
     : options_(options),
       deadline_(options.time_limit / 2, options.stop),
       source_(source),
@@ -88,7 +106,7 @@ BoundSearch::BoundSearch(const PointsRef& source, const PointsRef& target, const
                        kLeastBound);
 }
 
-void BoundSearch::run() {
+void NoiseBoundSearch::run() {
   const Index n = source_.cols();
   const Index most =
       options_.scale_mode == ScaleMode::Estimated ? std::min(n, kMostOfUnknownScale) : n;
@@ -106,7 +124,7 @@ void BoundSearch::run() {
 }
 
 /// Tries each rung with at most so many correspondences; forgets what was tried before.
-void BoundSearch::climb(Index most) {
+void NoiseBoundSearch::climb(Index most) {
   trials_.clear();
   choice_.reset();
   const std::vector<double> rungs = ladder();
@@ -114,7 +132,7 @@ void BoundSearch::climb(Index most) {
   for (const double rung : rungs) try_bound(rung, selection_size(rung, most));
 }
 
-std::vector<double> BoundSearch::ladder() const {
+std::vector<double> NoiseBoundSearch::ladder() const {
   const double unit = target_distances_.median();
   std::vector<double> rungs;
   const int count =
@@ -128,7 +146,7 @@ std::vector<double> BoundSearch::ladder() const {
 }
 
 /// How many correspondences to search with a bound, so that the graph stays sparse.
-Index BoundSearch::selection_size(double bound, Index most) const {
+Index NoiseBoundSearch::selection_size(double bound, Index most) const {
   const auto end =
       std::upper_bound(length_differences_.begin(), length_differences_.end(), 2 * bound);
   const double density = static_cast<double>(end - length_differences_.begin()) /
@@ -137,7 +155,7 @@ Index BoundSearch::selection_size(double bound, Index most) const {
   return std::min(most, std::max(static_cast<Index>(kMaxDegree / density), kFirstSelection));
 }
 
-Options BoundSearch::cheap_options(double bound) const {
+Options NoiseBoundSearch::cheap_options(double bound) const {
   Options cheap = options_;
   cheap.noise_mode = NoiseMode::Given;
   cheap.noise_bound = bound;
@@ -152,7 +170,7 @@ Options BoundSearch::cheap_options(double bound) const {
 }
 
 /// Whether time and caller say so.
-bool BoundSearch::may_go_on() {
+bool NoiseBoundSearch::may_go_on() {
   if (options_.progress && !cancelled_) {
     const double done = static_cast<double>(trials_.size()) / num_steps_;
     cancelled_ = !options_.progress({"noise_bound", std::min(done, 1.0)});
@@ -163,25 +181,26 @@ bool BoundSearch::may_go_on() {
 }
 
 /// Searches for a pose with a bound among `count` correspondences and judges it by all.
-void BoundSearch::try_bound(double bound, Index count) {
+void NoiseBoundSearch::try_bound(double bound, Index count) {
   if (!may_go_on()) return;
   std::vector<Index> selected;
   for (Index k = 0; k < count; ++k) selected.push_back(k * source_.cols() / count);
   const Points source = source_(Eigen::all, selected), target = target_(Eigen::all, selected);
-  const Result result = register_correspondences(source, target, cheap_options(bound));
-  num_clique_nodes_ += result.diagnostics.num_clique_nodes;
-  trials_.push_back({bound, std::nullopt, {}});
-  if (result.inliers.empty()) return;
+  const Options options = cheap_options(bound);
+  problem::Run run(options);
+  const problem::Problem problem(source, target, options, run);
+  trials_.push_back({bound, find_pose(problem, run), {}});
+  num_clique_nodes_ += run.diagnostics().num_clique_nodes;
+  if (!trials_.back().pose) return;
 
   Trial& trial = trials_.back();
-  trial.pose = result.target_from_source;
   const Eigen::ArrayXd residuals = (target_ - trial.pose->apply(source_)).colwise().norm();
   trial.alarms = count_false_alarms(residuals, trial.pose->scale, source_distances_,
                                     target_distances_, rounding_);
   choose();
 }
 
-void BoundSearch::choose() {
+void NoiseBoundSearch::choose() {
   double least = std::numeric_limits<double>::infinity();
   for (const Trial& trial : trials_) {
     for (const double log10 : trial.alarms.log10) least = std::min(least, log10);
@@ -199,7 +218,7 @@ void BoundSearch::choose() {
   }
 }
 
-double BoundSearch::chosen_bound() const {
+double NoiseBoundSearch::chosen_bound() const {
   if (!choice_) return ladder().back();
   // a fit takes its parameters' share from the residuals of the points it was fitted to
   const double num_parameters = options_.scale_mode == ScaleMode::Known ? 6 : 7;
@@ -208,7 +227,7 @@ double BoundSearch::chosen_bound() const {
   return std::max(choice_->residual * widening * kBallFactor, rounding_);
 }
 
-NoiseEstimate BoundSearch::estimate() const {
+NoiseEstimate NoiseBoundSearch::estimate() const {
   const double noise_bound = chosen_bound();
   if (!choice_) return {noise_bound, noise_bound, noise_bound, 0};
   const auto [lowest, highest] = stable_bounds();
@@ -216,7 +235,7 @@ NoiseEstimate BoundSearch::estimate() const {
 }
 
 /// Whether a pose moves the consensus set of the best one by less than its bound, on average.
-bool BoundSearch::is_best_pose(const Similarity& pose) const {
+bool NoiseBoundSearch::is_best_pose(const Similarity& pose) const {
   const Points images = trials_[choice_->trial].pose->apply(source_);
   const Eigen::ArrayXd residuals = (target_ - images).colwise().norm();
   const Eigen::ArrayXd moved = (pose.apply(source_) - images).colwise().norm();
@@ -227,7 +246,7 @@ bool BoundSearch::is_best_pose(const Similarity& pose) const {
 
 /// The lowest and the highest bound around the chosen one such that all trials between led to the
 /// best pose.
-std::pair<double, double> BoundSearch::stable_bounds() const {
+std::pair<double, double> NoiseBoundSearch::stable_bounds() const {
   const double bound = chosen_bound();
   double too_low = 0, too_high = std::numeric_limits<double>::infinity();
   for (const Trial& trial : trials_) {

@@ -16,11 +16,11 @@ namespace gmcr::noise {
 
 /// Search for the tightest noise bound under which the consensus of a pose is about as sure as
 /// under any. Bounds are metres.
-class BoundSearch {
+class NoiseBoundSearch {
  public:
   /// @param source, target  N >= 3 correspondences, none twice.
   /// @param options         of the caller; half of its time is for the search. Kept by reference.
-  BoundSearch(const PointsRef& source, const PointsRef& target, const Options& options);
+  NoiseBoundSearch(const PointsRef& source, const PointsRef& target, const Options& options);
 
   /// Tries the ladder of bounds, then those that its poses lead to.
   void run();

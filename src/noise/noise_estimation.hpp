@@ -1,12 +1,25 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/types.hpp"
 
 namespace gmcr::noise {
 
-/// Solves with a noise bound that is chosen from the data (`NoiseMode::Estimated`).
+/// A noise bound from the data, and what finding it took.
+struct ChosenNoise {
+  /// Where there are at least 3 distinct correspondences.
+  std::optional<NoiseEstimate> estimate;
+  double seconds = 0;
+  std::uint64_t num_clique_nodes = 0;
+  bool late = false;       ///< the time ended the search
+  bool cancelled = false;  ///< the caller ended it
+};
+
+/// Chooses a noise bound from the data (`NoiseMode::Estimated`).
 ///
 /// Searches for a pose with each bound of a ladder, whose rungs double from 1e-3.5 to 0.1 of the
 /// median distance of the targets, then with the bounds that these poses lead to. For each pose the
@@ -16,22 +29,19 @@ namespace gmcr::noise {
 /// surest sets loose. The bound is its largest residual, times
 ///   2^(1/3)                          for the part of the noise that half as sure leaves out,
 ///   sqrt(3 k / (3 k - parameters))   for what a fit takes from the k residuals it was fitted to,
-/// and never below the rounding of the coordinates. Then `register_correspondences` solves with it.
-/// Correspondences that are given more than once count once in the choice.
+/// and never below the rounding of the coordinates. Correspondences that are given more than once
+/// count once in the choice.
 ///
 /// The searches of the ladder are cheap ones: few nodes a clique search, an even selection of 300
 /// correspondences (4 times as many, and so on, only where no consensus stands out), and fewer
 /// where a loose bound lets most pairs agree; at most 1,200 with unknown scale. The poses are
 /// judged on all. The search takes at most half of the time budget.
-/// @param options  with `NoiseMode::Estimated`; validated, as the points.
-/// @return status NoConsensus where chance explains every consensus set, with at least one false
-///   alarm. `noise_estimate` is there for at least 3 distinct correspondences.
+/// @param source, target, options  N >= 3 correspondences, valid; `NoiseMode::Estimated`.
 /// @throws std::invalid_argument where the graph exceeds the memory budget.
-/// Cost: about 11 cheap solves and a full one. The cheap ones take 0.02 to 1 s together on 300 to
-/// 5,000 correspondences, known scale at the lower end; up to 10 s with unknown scale where no
-/// consensus stands out. Deterministic for any number of threads unless the time binds; the
-/// selections depend on the order of the correspondences.
-Result register_with_estimated_noise(const PointsRef& source, const PointsRef& target,
-                                     const Options& options);
+/// Cost: about 11 cheap searches, 0.02 to 1 s together on 300 to 5,000 correspondences, known scale
+/// at the lower end; up to 10 s with unknown scale where no consensus stands out. Deterministic for
+/// any number of threads unless the time binds; the selections depend on the order of the
+/// correspondences.
+ChosenNoise choose_noise(const PointsRef& source, const PointsRef& target, const Options& options);
 
 }  // namespace gmcr::noise

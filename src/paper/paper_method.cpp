@@ -1,7 +1,6 @@
 #include "paper/paper_method.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -9,12 +8,17 @@
 #include <utility>
 
 #include "estimation/constrained_fit.hpp"
+#include "paper/rotation_consensus.hpp"
 #include "paper/scale_consensus.hpp"
+#include "paper/translation_consensus.hpp"
 #include "problem/consistency_graph.hpp"
-#include "proof/certificate.hpp"
 
 namespace gmcr::paper {
 namespace {
+
+using problem::Problem;
+using problem::Run;
+using problem::StageTimer;
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
@@ -28,78 +32,72 @@ struct Pruned {
   Index upper_bound = 0;
 };
 
-void require_memory_for_tims(const problem::SolveContext& context, Index num_correspondences) {
+void require_memory_for_tims(const Run& run, Index num_correspondences) {
   const auto n = static_cast<std::size_t>(num_correspondences);
   const std::size_t bytes = n * (n - 1) / 2 * kBytesPerTim;
-  if (bytes <= context.options().memory_limit) return;
-  throw InvalidOption("memory_limit", std::to_string(context.options().memory_limit) +
-                                          " bytes, but the scale stage of " +
-                                          std::to_string(num_correspondences) +
-                                          " correspondences takes " + std::to_string(bytes));
+  if (bytes <= run.options().memory_limit) return;
+  throw InvalidOption("memory_limit", std::to_string(run.options().memory_limit) +
+                              " bytes, but the scale stage of " +
+                              std::to_string(num_correspondences) + " correspondences takes " +
+                              std::to_string(bytes));
 }
 
 /// All pairs that the filter admits, in lexicographic order.
-std::vector<Pair> admitted_pairs(Index num_correspondences, const ScaleRange& scales,
-                                 const problem::PairFilter& filter) {
-  std::vector<Pair> pairs = all_pairs(num_correspondences);
-  if (!filter.is_empty()) {
+std::vector<Pair> admitted_pairs(const Problem& problem) {
+  std::vector<Pair> pairs = all_pairs(problem.size());
+  if (!problem.filter().is_empty()) {
     std::erase_if(pairs, [&](const Pair& pair) {
-      return !filter.admits_pair(pair.first, pair.second, scales);
+      return !problem.filter().admits_pair(pair.first, pair.second, problem.scales());
     });
   }
   return pairs;
 }
 
 /// Unknown scale: keep the pairs of the maximum clique of the scale consensus graph.
-std::optional<Pruned> prune_by_scale(problem::SolveContext& context,
-                                     const problem::Correspondences& correspondences,
-                                     const ScaleRange& scales, const problem::PairFilter& filter) {
-  const problem::StageTimer timer(context, "scale");
-  require_memory_for_tims(context, correspondences.size());
-  const Tims tims =
-      make_tims(correspondences, admitted_pairs(correspondences.size(), scales, filter));
-  if (context.stopped()) return std::nullopt;
-  const auto consensus = scale_consensus(tims, scales);
+std::optional<Pruned> prune_by_scale(const Problem& problem, Run& run) {
+  const StageTimer timer(run, "scale");
+  require_memory_for_tims(run, problem.size());
+  const Tims tims = make_tims(problem.correspondences(), admitted_pairs(problem));
+  if (run.stopped()) return std::nullopt;
+  const auto consensus = scale_consensus(tims, problem.scales());
   if (!consensus) return std::nullopt;
   return Pruned{select(tims, consensus->tims), consensus->scale,
-                proof::max_members(static_cast<Index>(consensus->tims.size()))};
+                max_members(static_cast<Index>(consensus->tims.size()))};
 }
 
 /// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al.
 /// 2019).
-std::optional<Pruned> prune_by_consistency(problem::SolveContext& context,
-                                           const problem::Correspondences& correspondences,
-                                           double scale, const problem::PairFilter& filter) {
-  const problem::StageTimer timer(context, "graph");
+std::optional<Pruned> prune_by_consistency(const Problem& problem, Run& run) {
+  const StageTimer timer(run, "graph");
+  const int num_threads = run.options().num_threads;
   BitsetGraph graph =
-      problem::consistency_graph(problem::consistency_arrays(correspondences, scale),
-                                 {scale, scale}, context.options().num_threads, context.deadline());
-  filter.apply(graph, {scale, scale}, context.options().num_threads);
-  const auto clique = context.max_clique(graph, 0, kUnlimited);
+      problem::consistency_graph(problem.arrays(), problem.scales(), num_threads, run.deadline());
+  problem.filter().apply(graph, problem.scales(), num_threads);
+  const auto clique = run.max_clique(graph, 0, kUnlimited);
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;
-  require_memory_for_tims(context, size);
+  require_memory_for_tims(run, size);
   std::vector<Pair> pairs;
   for (const auto [p, q] : all_pairs(size)) {
     pairs.push_back({clique.vertices[static_cast<std::size_t>(p)],
                      clique.vertices[static_cast<std::size_t>(q)]});
   }
-  return Pruned{make_tims(correspondences, std::move(pairs)), scale,
+  return Pruned{make_tims(problem.correspondences(), std::move(pairs)), problem.scales().min,
                 static_cast<Index>(clique.upper_bound)};
 }
 
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
-Tims within_memory(problem::SolveContext& context, Tims tims) {
+Tims within_memory(Run& run, Tims tims) {
   Index count = tims.size();
-  const std::size_t budget = context.options().memory_limit;
+  const std::size_t budget = run.options().memory_limit;
   const std::size_t taken = std::min(budget / 2, static_cast<std::size_t>(count) * kBytesPerTim);
   while (BitsetGraph::bytes_required(count) > budget - taken) {
     count -= count / 16 + 1;
   }
   if (count == tims.size()) return tims;
-  context.limit({Limit::Memory, "the memory budget let " + std::to_string(count) + " of " +
-                                    std::to_string(tims.size()) +
-                                    " pairs into the rotation graph, the longest ones"});
+  run.limit({Limit::Memory, "the memory budget let " + std::to_string(count) + " of " +
+                                std::to_string(tims.size()) +
+                                " pairs into the rotation graph, the longest ones"});
   std::vector<Index> order(static_cast<std::size_t>(tims.size()));
   std::iota(order.begin(), order.end(), Index{0});
   const Eigen::ArrayXd lengths = tims.source.colwise().squaredNorm();
@@ -110,57 +108,58 @@ Tims within_memory(problem::SolveContext& context, Tims tims) {
   return select(tims, order);
 }
 
+/// Least-squares pose of some correspondences among those that the priors admit.
+std::vector<problem::CentredPose> fit(const Problem& problem, double scale,
+                                      const std::vector<Index>& indices) {
+  const problem::Correspondences& c = problem.correspondences();
+  const auto pose = estimation::fit_pose(c.source, c.target, c.bounds, indices,
+                                         estimation::at_scale(problem.constraints(), scale));
+  if (!pose) return {};
+  return {problem::CentredPose{*pose}};
+}
+
 }  // namespace
 
-search::MethodResult solve_paper(problem::SolveContext& context,
-                                 const problem::Correspondences& correspondences,
-                                 const estimation::PoseConstraints& constraints,
-                                 const problem::PairFilter& filter) {
-  const ScaleRange& scales = constraints.scales;
-  search::MethodResult result;
-  result.upper_bound = correspondences.size();
-  result.evidence_upper_bound = static_cast<double>(result.upper_bound);
-  const auto pruned = scales.min == scales.max
-                          ? prune_by_consistency(context, correspondences, scales.min, filter)
-                          : prune_by_scale(context, correspondences, scales, filter);
-  if (!pruned || context.stopped()) return result;
-  result.upper_bound = std::min(result.upper_bound, pruned->upper_bound);
-  result.evidence_upper_bound = static_cast<double>(result.upper_bound);
-  const auto fit = [&](const std::vector<Index>& indices) {
-    const auto pose =
-        estimation::fit_pose(correspondences.source, correspondences.target, correspondences.bounds,
-                             indices, estimation::at_scale(constraints, pruned->scale));
-    if (pose) result.poses.push_back(*pose);
-  };
+problem::Found solve(const Problem& problem, Run& run) {
+  problem::Found found{{}, problem.size(), static_cast<double>(problem.size())};
 
-  const Tims tims = within_memory(context, pruned->tims);
+  // Eq. (9) to (11), the scale; where it is known, L1
+  const auto pruned =
+      problem.scale_is_known() ? prune_by_consistency(problem, run) : prune_by_scale(problem, run);
+  if (!pruned || run.stopped()) return found;
+  found.upper_bound = std::min(found.upper_bound, pruned->upper_bound);
+  found.evidence_upper_bound = static_cast<double>(found.upper_bound);
+
+  // Eq. (12) to (15), the rotation
+  const Tims tims = within_memory(run, pruned->tims);
   const auto rotation = [&] {
-    const problem::StageTimer timer(context, "rotation");
-    return rotation_consensus(context, tims, pruned->scale, kUnlimited);
+    const StageTimer timer(run, "rotation");
+    return rotation_consensus(run, tims, pruned->scale, kUnlimited);
   }();
   if (!rotation) {
     // the TIMs are parallel: a pose that fits, one of many, so that the result can say so
     std::vector<Index> all(static_cast<std::size_t>(tims.size()));
     std::iota(all.begin(), all.end(), Index{0});
-    fit(touched_correspondences(tims, all));
-    return result;
+    found.poses = fit(problem, pruned->scale, touched_correspondences(tims, all));
+    return found;
   }
 
-  const problem::StageTimer timer(context, "translation");
-  const TranslationConsensus translation =
-      translation_consensus(context, correspondences, touched_correspondences(tims, rotation->tims),
-                            pruned->scale, rotation->rotation, kUnlimited);
+  // Eq. (16), the translation
+  const StageTimer timer(run, "translation");
+  const TranslationConsensus translation = translation_consensus(
+      run, problem.correspondences(), touched_correspondences(tims, rotation->tims), pruned->scale,
+      rotation->rotation, kUnlimited);
   if (!rotation->proven || !translation.proven) {
-    context.limit({Limit::CliqueSearch,
-                   "the clique search of a rotation or translation graph ended before its proof"});
+    run.limit({Limit::CliqueSearch,
+               "the clique search of a rotation or translation graph ended before its proof"});
   }
-  if (constraints.priors.admit_all()) {
-    result.poses.push_back({pruned->scale, rotation->rotation, translation.translation});
+  if (problem.constraints().priors.admit_all()) {
+    found.poses = {{{pruned->scale, rotation->rotation, translation.translation}}};
   } else {
     // the stages know of the priors what single pairs say; the pose has to satisfy them
-    fit(translation.correspondences);
+    found.poses = fit(problem, pruned->scale, translation.correspondences);
   }
-  return result;
+  return found;
 }
 
 }  // namespace gmcr::paper

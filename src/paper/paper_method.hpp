@@ -1,6 +1,6 @@
 #pragma once
 
-#include "search/best_poses.hpp"
+#include "problem/problem.hpp"
 
 namespace gmcr::paper {
 
@@ -9,10 +9,6 @@ namespace gmcr::paper {
 ///
 /// The stages know of the priors what single pairs say; their pose is then fitted anew among those
 /// that the priors admit.
-/// @param filter  what the priors and one-to-one say of pairs.
-search::MethodResult solve_paper(problem::SolveContext& context,
-                                 const problem::Correspondences& correspondences,
-                                 const estimation::PoseConstraints& constraints,
-                                 const problem::PairFilter& filter);
+problem::Found solve(const problem::Problem& problem, problem::Run& run);
 
 }  // namespace gmcr::paper

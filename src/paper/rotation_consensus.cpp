@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "estimation/rotation.hpp"
 #include "problem/graph_rows.hpp"
 #include "problem/symmetric_blocks.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 std::optional<double> cone_cosine(double source_length, double target_length, double bound) {
   if (bound >= source_length + target_length) return -1.0;
   if (std::abs(target_length - source_length) > bound) return std::nullopt;
+  // Eq. (13), L3: |bbar|^2 + |s abar|^2 - 2 |bbar| |s abar| cos(gamma) = eps^2
   const double cosine =
       (target_length * target_length + source_length * source_length - bound * bound) /
       (2 * source_length * target_length);
@@ -56,10 +58,29 @@ BitsetGraph rotation_graph(const RotationCones& cones, int num_threads,
                            const parallel::Deadline& deadline) {
   BitsetGraph graph = problem::graph_from_rows(
       cones.directions.size(), num_threads, deadline, [&](Index k, std::span<std::uint64_t> row) {
+        // Eq. (15), L3: |angle(abar_k, abar_l) - angle(bbar_k, bbar_l)| <= gamma_k + gamma_l
         kernels::rotation_row(cones.directions, k, row, k / BitsetGraph::kBitsPerWord);
       });
   problem::mirror_upper_blocks(graph, num_threads);
   return graph;
+}
+
+std::optional<RotationConsensus> rotation_consensus(problem::Run& run, const Tims& tims,
+                                                    double scale, std::uint64_t max_clique_nodes) {
+  const RotationCones cones = rotation_cones(tims, scale);
+  const BitsetGraph graph = rotation_graph(cones, run.options().num_threads, run.deadline());
+  const auto clique = run.max_clique(graph, 0, max_clique_nodes);
+  RotationConsensus consensus;
+  consensus.proven = clique.proven;
+  for (const Index vertex : clique.vertices) {
+    consensus.tims.push_back(cones.tims[static_cast<std::size_t>(vertex)]);
+  }
+  // min_R sum_k |bbar_k - R abar_k|^2
+  const auto rotation = estimation::estimate_rotation(tims.source(Eigen::all, consensus.tims),
+                                                      tims.target(Eigen::all, consensus.tims));
+  if (!rotation) return std::nullopt;
+  consensus.rotation = *rotation;
+  return consensus;
 }
 
 }  // namespace gmcr::paper

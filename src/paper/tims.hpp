@@ -13,7 +13,7 @@ struct Pair {
   Index first = 0, second = 0;
 };
 
-/// Translation invariant measurements (paper, eq:corresp_est:tims): differences of point pairs.
+/// Translation invariant measurements (Eq. 4): differences of point pairs.
 struct Tims {
   std::vector<Pair> pairs;
   Points source, target;  ///< 3 x K: abar_k = a_second - a_first, bbar_k likewise, metres
@@ -25,10 +25,19 @@ struct Tims {
 /// TIMs of the given pairs. Cost O(K).
 Tims make_tims(const problem::Correspondences& correspondences, std::vector<Pair> pairs);
 
+/// The TIMs with the given numbers, in that order.
+Tims select(const Tims& tims, const std::vector<Index>& indices);
+
+/// Correspondences that the given TIMs touch, ascending.
+std::vector<Index> touched_correspondences(const Tims& tims, const std::vector<Index>& indices);
+
 /// All N (N - 1) / 2 pairs in lexicographic order.
 std::vector<Pair> all_pairs(Index num_correspondences);
 
-/// Scale invariant measurements of the TIMs (paper, eq:corresp_est:trims) and their intervals (L1).
+/// Largest m with m (m - 1) / 2 <= num_pairs: m inliers need that many agreeing pairs (L5).
+Index max_members(Index num_pairs);
+
+/// Scale invariant measurements of the TIMs (Eq. 9) and their intervals (L1).
 struct ScaleMeasurements {
   Eigen::ArrayXd scale;         ///< s_k = |bbar_k| / |abar_k|; infinite where abar_k = 0
   Eigen::ArrayXd alpha;         ///< alpha_k = eps_k / |abar_k|; infinite where abar_k = 0
@@ -36,8 +45,8 @@ struct ScaleMeasurements {
                                 ///< upper) where abar_k = 0
 };
 
-/// Deviation: eq:consensus:scale multiplies alpha_k by the threshold c where the objective that it
-/// comes from divides by c. Here c = 1: the bounds say all.
+/// Deviation: Eq. (11) multiplies alpha_k by the threshold c where the objective that it comes
+/// from, Eq. (10), divides by c. The bounds here are divided by c already.
 ScaleMeasurements measure_scales(const Tims& tims);
 
 }  // namespace gmcr::paper

@@ -7,8 +7,8 @@
 
 namespace gmcr::problem {
 
-kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
-                                                 double scale_max) {
+geometry::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
+                                                  double scale_max) {
   // a residual of the caller's coordinates is off by a few units in the last place of its terms
   const double source_size =
       max_norm(correspondences.source) + correspondences.source_origin.norm();
@@ -20,8 +20,9 @@ kernels::CorrespondenceArrays consistency_arrays(const Correspondences& correspo
           correspondences.bounds + rounding};
 }
 
-BitsetGraph consistency_graph(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales,
-                              int num_threads, const parallel::Deadline& deadline) {
+BitsetGraph consistency_graph(const geometry::CorrespondenceArrays& arrays,
+                              const ScaleRange& scales, int num_threads,
+                              const parallel::Deadline& deadline) {
   BitsetGraph graph(arrays.size());
   const kernels::ConsistencyTiles tiles(arrays, scales.min, scales.max);
   write_symmetric_blocks(graph, num_threads, deadline,

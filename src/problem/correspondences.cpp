@@ -22,11 +22,18 @@ Correspondences subset(const Correspondences& all, const std::vector<Index>& ind
           all.source_origin, all.target_origin};
 }
 
-Similarity uncentre(const Similarity& centred, const Correspondences& correspondences) {
-  Similarity s = centred;
+CallerPose uncentre(const CentredPose& pose, const Correspondences& correspondences) {
+  Similarity s = pose.similarity;
   s.translation += correspondences.target_origin -
-                   centred.scale * (centred.rotation * correspondences.source_origin);
-  return s;
+                   pose.scale() * (pose.similarity.rotation * correspondences.source_origin);
+  return {s};
+}
+
+CentredPose centre(const CallerPose& pose, const Correspondences& correspondences) {
+  Similarity s = pose.similarity;
+  s.translation += pose.scale() * (pose.similarity.rotation * correspondences.source_origin) -
+                   correspondences.target_origin;
+  return {s};
 }
 
 double max_norm(const PointsRef& points) {

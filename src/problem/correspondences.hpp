@@ -8,9 +8,30 @@
 
 namespace gmcr::problem {
 
-/// Putative correspondences in frames at their own centroids, so that a cloud far from its origin
-/// loses no digits.
-struct Correspondences {
+/// Where coordinates are measured from. Points and poses of one frame and of another are different
+/// types, so that mixing them does not compile.
+enum class Frame {
+  Caller,   ///< the caller's origins: residuals that the caller can check
+  Centred,  ///< the centroids of the clouds, so that a cloud far from its origin loses no digits
+};
+
+template <Frame frame>
+struct CorrespondencesIn;
+
+/// The caller's matches, in place: a view, valid for as long as the points are.
+template <>
+struct CorrespondencesIn<Frame::Caller> {
+  const PointsRef& source;
+  const PointsRef& target;  ///< 3 x N, metres
+  Eigen::ArrayXd bounds;    ///< N inlier bounds eps_i, metres
+
+  Index size() const { return source.cols(); }
+};
+using CallerCorrespondences = CorrespondencesIn<Frame::Caller>;
+
+/// Matches in frames at their own centroids.
+template <>
+struct CorrespondencesIn<Frame::Centred> {
   Points source, target;  ///< 3 x N, metres, relative to the origins below
   Eigen::ArrayXd bounds;  ///< N inlier bounds eps_i, metres
   Eigen::Vector3d source_origin = Eigen::Vector3d::Zero();
@@ -18,6 +39,17 @@ struct Correspondences {
 
   Index size() const { return source.cols(); }
 };
+using Correspondences = CorrespondencesIn<Frame::Centred>;
+
+/// A transform between two frames of one kind.
+template <Frame frame>
+struct PoseIn {
+  Similarity similarity;
+
+  double scale() const { return similarity.scale; }
+};
+using CallerPose = PoseIn<Frame::Caller>;
+using CentredPose = PoseIn<Frame::Centred>;
 
 /// Centres both clouds. @param bounds  N inlier bounds, metres.
 Correspondences centre(const PointsRef& source, const PointsRef& target,
@@ -26,8 +58,9 @@ Correspondences centre(const PointsRef& source, const PointsRef& target,
 /// The correspondences with the given indices, in that order, same origins.
 Correspondences subset(const Correspondences& all, const std::vector<Index>& indices);
 
-/// Transform between the caller's frames from one between the centred frames.
-Similarity uncentre(const Similarity& centred, const Correspondences& correspondences);
+/// The pose between the caller's frames, and back.
+CallerPose uncentre(const CentredPose& pose, const Correspondences& correspondences);
+CentredPose centre(const CallerPose& pose, const Correspondences& correspondences);
 
 /// Longest distance of a column from the origin, metres.
 double max_norm(const PointsRef& points);

@@ -10,28 +10,28 @@ namespace gmcr::problem {
 namespace {
 
 /// The scale up to which two correspondences with near targets are partners.
-double max_scale_of(const Correspondences& c, Index i, Index j, double reach) {
-  const double length = (c.source.col(j) - c.source.col(i)).norm();
+double max_scale_of(const PointsRef& source, Index i, Index j, double reach) {
+  const double length = (source.col(j) - source.col(i)).norm();
   return length > 0 ? reach / length : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
+DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& target,
+                                   const Eigen::ArrayXd& bounds, std::size_t max_bytes,
                                    const Octaves& octaves, const ScaleRange& scales)
     : octaves_(octaves) {
   const ScaleRange centres{octaves.centre_of(scales.min), octaves.centre_of(scales.max)};
-  const Correspondences& c = correspondences;
-  const Eigen::ArrayXd reaches = kReach * c.bounds;
-  const auto n = static_cast<std::size_t>(c.size());
+  const Eigen::ArrayXd reaches = kReach * bounds;
+  const auto n = static_cast<std::size_t>(source.cols());
   const auto at = [](Index i) { return static_cast<std::size_t>(i); };
   const std::size_t max_entries = max_bytes / sizeof(double);
   std::size_t num_near = 0;
   always_.assign(n, 0);
   first_.assign(n + 1, 0);
-  complete_ = for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
+  complete_ = for_each_near_pair(target, reaches, [&](Index i, Index j, double reach) {
     num_near += 2;
-    const double max_scale = max_scale_of(c, i, j, reach);
+    const double max_scale = max_scale_of(source, i, j, reach);
     if (max_scale >= centres.max) {
       ++always_[at(i)];
       ++always_[at(j)];
@@ -49,8 +49,8 @@ DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::
   has_partners_ = true;
   max_scales_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
-    const double max_scale = max_scale_of(c, i, j, reach);
+  for_each_near_pair(target, reaches, [&](Index i, Index j, double reach) {
+    const double max_scale = max_scale_of(source, i, j, reach);
     if (max_scale < centres.max && max_scale >= centres.min) {
       max_scales_[next[at(i)]++] = max_scale;
       max_scales_[next[at(j)]++] = max_scale;

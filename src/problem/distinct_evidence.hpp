@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gmcr/options.hpp"
-#include "problem/correspondences.hpp"
+#include "gmcr/types.hpp"
 #include "problem/scale_buckets.hpp"
 
 namespace gmcr::problem {
@@ -33,8 +33,9 @@ class DistinctEvidence {
   /// @param max_bytes  for the pairs of near targets, as if all were listed. Where it does not
   ///   suffice, `complete()` is false and every weight is 1.
   /// @param scales     at which weights are asked for; in one octave nothing is listed.
-  DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
-                   const Octaves& octaves, const ScaleRange& scales = kAllScales);
+  DistinctEvidence(const PointsRef& source, const PointsRef& target, const Eigen::ArrayXd& bounds,
+                   std::size_t max_bytes, const Octaves& octaves,
+                   const ScaleRange& scales = kAllScales);
 
   bool complete() const { return complete_; }
 

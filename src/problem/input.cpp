@@ -5,17 +5,6 @@
 #include <utility>
 
 namespace gmcr::problem {
-namespace {
-
-Eigen::ArrayXd inlier_bounds(const Options& options, Index count) {
-  if (options.noise_bounds.empty()) {
-    return Eigen::ArrayXd::Constant(count, options.noise_bound);
-  }
-  return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count);
-}
-
-}  // namespace
-
 void validate_input(const PointsRef& source, const PointsRef& target, const Options& options) {
   options.validate();
   if (source.cols() != target.cols()) {
@@ -37,13 +26,11 @@ void validate_input(const PointsRef& source, const PointsRef& target, const Opti
   }
 }
 
-Correspondences correspondences_of(const PointsRef& source, const PointsRef& target,
-                                   const Options& options) {
-  Correspondences input;
-  input.source = source;
-  input.target = target;
-  input.bounds = inlier_bounds(options, source.cols());
-  return input;
+Eigen::ArrayXd inlier_bounds(const Options& options, Index count) {
+  if (options.noise_bounds.empty()) {
+    return Eigen::ArrayXd::Constant(count, options.noise_bound);
+  }
+  return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count);
 }
 
 }  // namespace gmcr::problem

@@ -1,17 +1,16 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "gmcr/options.hpp"
 #include "gmcr/types.hpp"
-#include "problem/correspondences.hpp"
 
 namespace gmcr::problem {
 
 /// @throws std::invalid_argument as `register_correspondences`.
 void validate_input(const PointsRef& source, const PointsRef& target, const Options& options);
 
-/// The input as it is, in the caller's frames, with the inlier bounds eps_i = beta_i / c (paper,
-/// eq:consensus_set).
-Correspondences correspondences_of(const PointsRef& source, const PointsRef& target,
-                                   const Options& options);
+/// The inlier bounds eps_i = beta_i / c of Eq. (3), metres.
+Eigen::ArrayXd inlier_bounds(const Options& options, Index count);
 
 }  // namespace gmcr::problem

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "geometry/angles.hpp"
+#include "kernels/consistency_row.hpp"
 #include "parallel/parallel_for.hpp"
 #include "problem/consistency_graph.hpp"
 #include "problem/symmetric_blocks.hpp"
@@ -47,17 +48,17 @@ std::vector<TranslationPrior> translation_priors(const Priors& priors) {
 }
 
 /// By how much the bounds were widened.
-double rounding_of(const kernels::CorrespondenceArrays& arrays,
+double rounding_of(const geometry::CorrespondenceArrays& arrays,
                    const Correspondences& correspondences) {
   const Index n = correspondences.size();
   return n == 0 ? 0 : (arrays.bounds.head(n) - correspondences.bounds).maxCoeff();
 }
 
 /// The correspondences and after them the virtual ones, with bounds widened by rounding.
-kernels::CorrespondenceArrays with_virtual(const Correspondences& correspondences,
-                                           const std::vector<TranslationPrior>& translations,
-                                           double scale_max) {
-  kernels::CorrespondenceArrays arrays = consistency_arrays(correspondences, scale_max);
+geometry::CorrespondenceArrays with_virtual(const Correspondences& correspondences,
+                                            const std::vector<TranslationPrior>& translations,
+                                            double scale_max) {
+  geometry::CorrespondenceArrays arrays = consistency_arrays(correspondences, scale_max);
   const Index n = arrays.size(), count = n + static_cast<Index>(translations.size());
   if (count == n) return arrays;
   constexpr double kRounding = 1e-11;  // above what `Priors::admit` grants

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/correspondence_arrays.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/priors.hpp"
-#include "kernels/consistency_row.hpp"
 #include "problem/correspondences.hpp"
 
 namespace gmcr::problem {
@@ -71,7 +71,7 @@ class PairFilter {
   bool admits_rotation(Index i, Index j, const ScaleRange& scales) const;
   bool share_end_point(Index i, Index j) const;
 
-  kernels::CorrespondenceArrays arrays_;  ///< the correspondences, then the virtual ones
+  geometry::CorrespondenceArrays arrays_;  ///< the correspondences, then the virtual ones
   Index num_correspondences_ = 0, num_virtual_ = 0;
   std::vector<AnglePrior> angles_;
   bool one_to_one_ = false;

@@ -27,10 +27,15 @@ std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
 
 }  // namespace
 
-SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
-    : options_(options), diagnostics_(diagnostics), deadline_(options.time_limit, options.stop) {}
+LimitHit weights_incomplete() {
+  return {Limit::Memory,
+          "the memory budget does not suffice for distinct evidence: inliers were counted"};
+}
 
-bool SolveContext::stopped() {
+Run::Run(const Options& options)
+    : options_(options), deadline_(options.time_limit, options.stop) {}
+
+bool Run::stopped() {
   if (cancelled_ || options_.stop.stop_requested()) {
     limit({Limit::Stopped, "the caller stopped the search"});
     return true;
@@ -40,18 +45,17 @@ bool SolveContext::stopped() {
   return true;
 }
 
-void SolveContext::report(const char* stage, double fraction) {
+void Run::report(const char* stage, double fraction) {
   if (!options_.progress || cancelled_) return;
   cancelled_ = !options_.progress(Progress{stage, std::clamp(fraction, 0.0, 1.0)});
 }
 
-void SolveContext::limit(const LimitHit& hit) {
+void Run::limit(const LimitHit& hit) {
   auto& limits = diagnostics_.limits_hit;
   if (std::find(limits.begin(), limits.end(), hit) == limits.end()) limits.push_back(hit);
 }
 
-SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index must_exceed,
-                                              std::uint64_t max_nodes) {
+Run::Clique Run::max_clique(const BitsetGraph& graph, Index must_exceed, std::uint64_t max_nodes) {
   // the graph itself may have been cut short, so that its bounds say nothing
   if (stopped()) return {{}, static_cast<double>(graph.num_vertices()), false};
   CliqueOptions clique_options;
@@ -69,9 +73,8 @@ SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index mu
           static_cast<double>(found.upper_bound), found.proven_optimal};
 }
 
-SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
-                                                     std::span<const double> weights,
-                                                     double must_exceed, std::uint64_t max_nodes) {
+Run::Clique Run::max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                                   double must_exceed, std::uint64_t max_nodes) {
   if (stopped()) {
     return {{}, std::accumulate(weights.begin(), weights.end(), 0.0) * (1 + 1e-9), false};
   }
@@ -89,7 +92,7 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
           found.upper_bound, found.proven_optimal};
 }
 
-void SolveContext::require_memory_for_graph(Index num_vertices) const {
+void Run::require_memory_for_graph(Index num_vertices) const {
   const std::size_t bytes = BitsetGraph::bytes_required(num_vertices);
   if (bytes <= options_.memory_limit) return;
   throw InvalidOption("memory_limit", std::to_string(options_.memory_limit) +
@@ -98,7 +101,7 @@ void SolveContext::require_memory_for_graph(Index num_vertices) const {
                                           std::to_string(bytes));
 }
 
-void SolveContext::add_stage_time(const char* stage, double seconds) {
+void Run::add_stage_time(const char* stage, double seconds) {
   for (StageTime& known : diagnostics_.stages) {
     if (known.name == stage) {
       known.seconds += seconds;
@@ -106,6 +109,12 @@ void SolveContext::add_stage_time(const char* stage, double seconds) {
     }
   }
   diagnostics_.stages.push_back({stage, seconds});
+}
+
+Diagnostics Run::record() const {
+  Diagnostics record = diagnostics_;
+  record.total_seconds = clock_.elapsed();
+  return record;
 }
 
 }  // namespace gmcr::problem

@@ -9,17 +9,20 @@
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "parallel/deadline.hpp"
+#include "parallel/stopwatch.hpp"
 
 namespace gmcr::problem {
 
 /// What all stages of one solve share: the options, the time that is left, and the record of the
 /// work.
-class SolveContext {
+class Run {
  public:
-  SolveContext(const Options& options, Diagnostics& diagnostics);
+  /// Starts the clock. Keeps the reference.
+  explicit Run(const Options& options);
 
   const Options& options() const { return options_; }
   Diagnostics& diagnostics() { return diagnostics_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }
 
   const parallel::Deadline& deadline() const { return deadline_; }
 
@@ -51,27 +54,32 @@ class SolveContext {
 
   void add_stage_time(const char* stage, double seconds);
 
+  /// The record so far, with the time since the start.
+  Diagnostics record() const;
+
  private:
   const Options& options_;
-  Diagnostics& diagnostics_;
+  Diagnostics diagnostics_;
   parallel::Deadline deadline_;
+  parallel::Stopwatch clock_;
   bool cancelled_ = false;
 };
+
+/// What a solve says where distinct evidence does not fit into its share of the memory.
+LimitHit weights_incomplete();
 
 /// Reports the begin of a stage and adds the time of its own life to it.
 class StageTimer {
  public:
-  StageTimer(SolveContext& context, const char* stage) : context_(context), stage_(stage) {
-    context.report(stage, 0);
-  }
-  ~StageTimer() { context_.add_stage_time(stage_, lifetime_.elapsed()); }
+  StageTimer(Run& run, const char* stage) : run_(run), stage_(stage) { run.report(stage, 0); }
+  ~StageTimer() { run_.add_stage_time(stage_, lifetime_.elapsed()); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 
  private:
-  SolveContext& context_;
+  Run& run_;
   const char* stage_;
-  parallel::Deadline lifetime_{0};
+  parallel::Stopwatch lifetime_;
 };
 
 }  // namespace gmcr::problem

@@ -32,16 +32,17 @@ std::vector<Index> indices_of(const std::vector<bool>& chosen) {
 
 }  // namespace
 
-JointSearch::JointSearch(const kernels::CorrespondenceArrays& arrays, const BitsetGraph& graph,
-                         std::span<const double> weights, const ScaleRange& scales, Offer offer,
-                         const parallel::Deadline& deadline)
+ConsensusSearch::ConsensusSearch(const geometry::CorrespondenceArrays& arrays,
+                                 const BitsetGraph& graph, std::span<const double> weights,
+                                 const ScaleRange& scales, TryPose try_pose,
+                                 const parallel::Deadline& deadline)
     : graph_(graph),
       weights_(weights),
-      offer_(std::move(offer)),
+      try_pose_(std::move(try_pose)),
       deadline_(deadline),
-      joint_(arrays, scales) {}
+      sets_(arrays, scales) {}
 
-double JointSearch::run(double to_beat) {
+double ConsensusSearch::run(double to_beat) {
   to_beat_ = to_beat;
   std::vector<Index> all(static_cast<std::size_t>(graph_.num_vertices()));
   std::iota(all.begin(), all.end(), Index{0});
@@ -54,7 +55,7 @@ double JointSearch::run(double to_beat) {
   return search(root);
 }
 
-double JointSearch::search(Node& node) {
+double ConsensusSearch::search(Node& node) {
   drop_hopeless(node);
   if (!node.kept.empty()) {
     drop_misfits(node);
@@ -65,7 +66,7 @@ double JointSearch::search(Node& node) {
   return branch(node);
 }
 
-double JointSearch::branch(const Node& node) {
+double ConsensusSearch::branch(const Node& node) {
   std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
   for (Index v = 0; v < node.graph.num_vertices(); ++v) clique::set_bit(all.data(), v);
   const clique::Coloring coloring = clique::color_greedily(node.graph, all);
@@ -92,8 +93,8 @@ double JointSearch::branch(const Node& node) {
   return std::max(upper, to_beat_);
 }
 
-JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> before,
-                                     Index chosen) const {
+ConsensusSearch::Node ConsensusSearch::child(const Node& node, std::span<const Index> before,
+                                             Index chosen) const {
   std::vector<Index> vertices;
   for (const Index v : before) {
     if (node.graph.has_edge(chosen, v)) vertices.push_back(v);
@@ -109,25 +110,26 @@ JointSearch::Node JointSearch::child(const Node& node, std::span<const Index> be
   return next;
 }
 
-void JointSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
+void ConsensusSearch::select_open(Node& node, const std::vector<Index>& vertices) const {
   node.graph = clique::induced_subgraph(node.graph, vertices);
   std::vector<Index> open;
   for (const Index v : vertices) open.push_back(node.open[static_cast<std::size_t>(v)]);
   node.open = std::move(open);
 }
 
-void JointSearch::keep_open(Node& node, const std::vector<bool>& keep) const {
+void ConsensusSearch::keep_open(Node& node, const std::vector<bool>& keep) const {
   const std::vector<Index> kept = indices_of(keep);
   if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
-void JointSearch::drop_hopeless(Node& node) const {
+void ConsensusSearch::drop_hopeless(Node& node) const {
   const std::vector<Index> kept = hopeful(node.graph, node.open, node.kept_weight);
   if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
-std::vector<Index> JointSearch::hopeful(const BitsetGraph& graph, const std::vector<Index>& open,
-                                        double kept_weight) const {
+std::vector<Index> ConsensusSearch::hopeful(const BitsetGraph& graph,
+                                            const std::vector<Index>& open,
+                                            double kept_weight) const {
   const std::size_t count = open.size();
   std::vector<double> around(count);  // all that a set with the vertex can weigh
   std::vector<bool> keep(count, true);
@@ -159,17 +161,17 @@ std::vector<Index> JointSearch::hopeful(const BitsetGraph& graph, const std::vec
   return indices_of(keep);
 }
 
-void JointSearch::drop_misfits(Node& node) const {
+void ConsensusSearch::drop_misfits(Node& node) const {
   if (node.kept.size() > kMaxKeptForPairs) return drop_misfits_of_many(node);
   const auto num_kept = static_cast<double>(node.kept.size());
   const estimation::Moments kept =
-      joint_.mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
+      sets_.mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
   const auto open = [&](Index v) { return node.open[static_cast<std::size_t>(v)]; };
   if (node.kept.size() > 1) {
     std::vector<bool> keep(node.open.size());
     for (Index v = 0; v < node.graph.num_vertices(); ++v) {
       keep[static_cast<std::size_t>(v)] =
-          joint_.may_hold(kept, num_kept / (num_kept + 1), {open(v)});
+          sets_.may_hold(kept, num_kept / (num_kept + 1), {open(v)});
     }
     keep_open(node, keep);
   }
@@ -178,7 +180,7 @@ void JointSearch::drop_misfits(Node& node) const {
     if (deadline_.expired()) return;
     for (Index u = 0; u < v; ++u) {
       if (!node.graph.has_edge(u, v)) continue;
-      if (joint_.may_hold(kept, num_kept / (num_kept + 2), {open(u), open(v)})) {
+      if (sets_.may_hold(kept, num_kept / (num_kept + 2), {open(u), open(v)})) {
         graph.add_edge(u, v);
       }
     }
@@ -186,23 +188,23 @@ void JointSearch::drop_misfits(Node& node) const {
   node.graph = std::move(graph);
 }
 
-void JointSearch::drop_misfits_of_many(Node& node) const {
+void ConsensusSearch::drop_misfits_of_many(Node& node) const {
   constexpr double kShares[] = {0.5, 0.75, 0.9};  // a few out of many that are valid
-  const auto kept = joint_.levelled_moments(node.kept);
+  const auto kept = sets_.levelled_moments(node.kept);
   std::vector<bool> keep(node.open.size(), false);
   for (std::size_t v = 0; kept && v < keep.size(); ++v) {
     keep[v] = std::all_of(std::begin(kShares), std::end(kShares), [&](double share) {
-      return joint_.may_hold(*kept, share, {node.open[v]});
+      return sets_.may_hold(*kept, share, {node.open[v]});
     });
   }
   keep_open(node, keep);
 }
 
-void JointSearch::sort_by_fit(Node& node) const {
+void ConsensusSearch::sort_by_fit(Node& node) const {
   // what fits worst is branched on first: it excludes much else, or is soon excluded
   std::vector<Index> all = node.kept;
   all.insert(all.end(), node.open.begin(), node.open.end());
-  estimation::MinimaxFit fit = joint_.fit(all);
+  estimation::MinimaxFit fit = sets_.fit(all);
   if (!fit.step()) return;
   const auto num_kept = static_cast<Index>(node.kept.size());
   std::vector<Index> order(node.open.size());
@@ -213,14 +215,14 @@ void JointSearch::sort_by_fit(Node& node) const {
   select_open(node, order);
 }
 
-double JointSearch::resolve(const std::vector<Index>& kept, const std::vector<Index>& open) {
+double ConsensusSearch::resolve(const std::vector<Index>& kept, const std::vector<Index>& open) {
   const double weight = weight_of(kept) + weight_of(open);
   if (!exceeds(weight)) return to_beat_;
   if (deadline_.expired()) return weight;
   std::vector<Index> all = kept;
   all.insert(all.end(), open.begin(), open.end());
-  const JointFit::Conflict conflict = joint_.find_conflict(all);
-  if (conflict.pose) to_beat_ = std::max(to_beat_, offer_(*conflict.pose));
+  const InfeasibleSets::Conflict conflict = sets_.find_conflict(all);
+  if (conflict.pose) to_beat_ = std::max(to_beat_, try_pose_({*conflict.pose}));
   if (conflict.members.empty()) return std::max(to_beat_, weight);
 
   std::vector<Index> removable;
@@ -239,14 +241,14 @@ double JointSearch::resolve(const std::vector<Index>& kept, const std::vector<In
   return std::max(upper, to_beat_);
 }
 
-double JointSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index> open,
-                               double enough) const {
+double ConsensusSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index> open,
+                                   double enough) const {
   // conflicts that share no member that may go: each costs its lightest one
   double loss = 0;
   while (loss < enough && !deadline_.expired()) {
     std::vector<Index> all = kept;
     all.insert(all.end(), open.begin(), open.end());
-    const std::vector<Index> members = joint_.find_conflict(all).members;
+    const std::vector<Index> members = sets_.find_conflict(all).members;
     const std::vector<Index> rest = without(open, members);
     if (members.empty()) break;
     if (rest.size() == open.size()) return enough;  // the kept ones alone exclude each other
@@ -260,7 +262,7 @@ double JointSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index
   return loss;
 }
 
-double JointSearch::weight_of(const std::vector<Index>& members) const {
+double ConsensusSearch::weight_of(const std::vector<Index>& members) const {
   double sum = 0;
   for (const Index i : members) sum += weights_[static_cast<std::size_t>(i)];
   return sum;

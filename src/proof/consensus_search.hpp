@@ -4,11 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "geometry/correspondence_arrays.hpp"
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
-#include "kernels/consistency_row.hpp"
 #include "parallel/deadline.hpp"
+#include "problem/correspondences.hpp"
+#include "problem/measure.hpp"
 #include "proof/infeasible_sets.hpp"
 
 namespace gmcr::proof {
@@ -23,22 +25,21 @@ namespace gmcr::proof {
 /// vertices chosen so far; and where a whole clique is left, a few of its members that exclude each
 /// other are found by minimax fits and given up in turn (as in the tree search of Chin et al.
 /// 2015).
-class JointSearch {
+class ConsensusSearch {
  public:
   /// Takes a pose that holds more than was to be beaten; returns what is to be beaten from now on.
-  using Offer = std::function<double(const Similarity&)>;
+  using TryPose = std::function<double(const problem::CentredPose&)>;
 
   /// Keeps the references.
   /// @param arrays   correspondences with bounds that cover the rounding of residuals.
   /// @param graph    consistency graph of the scales.
   /// @param weights  one a correspondence, > 0, at least its evidence at each of the scales.
-  JointSearch(const kernels::CorrespondenceArrays& arrays, const BitsetGraph& graph,
-              std::span<const double> weights, const ScaleRange& scales, Offer offer,
-              const parallel::Deadline& deadline);
+  ConsensusSearch(const geometry::CorrespondenceArrays& arrays, const BitsetGraph& graph,
+                  std::span<const double> weights, const ScaleRange& scales, TryPose try_pose,
+                  const parallel::Deadline& deadline);
 
   /// @return upper bound on the weight of every set that a transform holds, or what was to be
-  /// beaten
-  ///   in the end, where none weighs more. Valid also where the deadline passed.
+  ///   beaten in the end, where none weighs more. Valid also where the deadline passed.
   double run(double to_beat);
 
  private:
@@ -65,13 +66,13 @@ class JointSearch {
   double resolve(const std::vector<Index>& kept, const std::vector<Index>& open);
   double loss_bound(const std::vector<Index>& kept, std::vector<Index> open, double enough) const;
   double weight_of(const std::vector<Index>& members) const;
-  bool exceeds(double weight) const { return weight > to_beat_ * (1 + 1e-12); }
+  bool exceeds(double weight) const { return problem::exceeds(weight, to_beat_); }
 
   const BitsetGraph& graph_;
   std::span<const double> weights_;
-  Offer offer_;
+  TryPose try_pose_;
   const parallel::Deadline& deadline_;
-  JointFit joint_;
+  InfeasibleSets sets_;
   double to_beat_ = 0;
 };
 

@@ -15,7 +15,8 @@ Points columns(const Eigen::MatrixX3d& points, const std::vector<Index>& indices
 
 }  // namespace
 
-JointFit::JointFit(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales)
+InfeasibleSets::InfeasibleSets(const geometry::CorrespondenceArrays& arrays,
+                               const ScaleRange& scales)
     : arrays_(arrays), scales_(scales) {
   moments_.reserve(static_cast<std::size_t>(arrays.size()));
   for (Index i = 0; i < arrays.size(); ++i) {
@@ -24,7 +25,7 @@ JointFit::JointFit(const kernels::CorrespondenceArrays& arrays, const ScaleRange
   }
 }
 
-JointFit::Conflict JointFit::find_conflict(const std::vector<Index>& members) const {
+InfeasibleSets::Conflict InfeasibleSets::find_conflict(const std::vector<Index>& members) const {
   constexpr std::array<std::size_t, 8> kSizes{4, 5, 6, 7, 8, 10, 14, 20};
   if (members.size() < 3) return {};
   estimation::MinimaxFit all = fit(members);
@@ -49,8 +50,8 @@ JointFit::Conflict JointFit::find_conflict(const std::vector<Index>& members) co
   return {heaviest, std::nullopt};
 }
 
-estimation::Moments JointFit::mean_moments(const std::vector<Index>& members,
-                                           const Eigen::ArrayXd& weights) const {
+estimation::Moments InfeasibleSets::mean_moments(const std::vector<Index>& members,
+                                                 const Eigen::ArrayXd& weights) const {
   estimation::Moments sum;
   const double total = weights.sum();
   for (std::size_t k = 0; k < members.size(); ++k) {
@@ -60,7 +61,7 @@ estimation::Moments JointFit::mean_moments(const std::vector<Index>& members,
   return sum;
 }
 
-std::optional<estimation::Moments> JointFit::levelled_moments(
+std::optional<estimation::Moments> InfeasibleSets::levelled_moments(
     const std::vector<Index>& members) const {
   constexpr int kSteps = 20;
   estimation::MinimaxFit levelled = fit(members);
@@ -73,8 +74,8 @@ std::optional<estimation::Moments> JointFit::levelled_moments(
   return mean_moments(members, weights);
 }
 
-bool JointFit::may_hold(const estimation::Moments& members, double members_share,
-                        std::initializer_list<Index> others) const {
+bool InfeasibleSets::may_hold(const estimation::Moments& members, double members_share,
+                              std::initializer_list<Index> others) const {
   estimation::Moments sum = members * members_share;
   for (const Index i : others) {
     sum += moments_[static_cast<std::size_t>(i)] *
@@ -83,18 +84,18 @@ bool JointFit::may_hold(const estimation::Moments& members, double members_share
   return estimation::least_squares_bound(sum, scales_) <= kLimit;
 }
 
-estimation::MinimaxFit JointFit::fit(const std::vector<Index>& members) const {
+estimation::MinimaxFit InfeasibleSets::fit(const std::vector<Index>& members) const {
   return estimation::MinimaxFit(columns(arrays_.source, members), columns(arrays_.target, members),
                                 arrays_.bounds(members), estimation::PoseConstraints{scales_});
 }
 
-bool JointFit::excludes(estimation::MinimaxFit& fit) {
+bool InfeasibleSets::excludes(estimation::MinimaxFit& fit) {
   return fit.mean_square() > kLimit && fit.lower_bound() > kLimit;
 }
 
 /// Fits until all members are held or excluded, or patience ends. @return whether they are
 /// excluded.
-bool JointFit::settle(estimation::MinimaxFit& fit) const {
+bool InfeasibleSets::settle(estimation::MinimaxFit& fit) const {
   constexpr int kMaxSteps = 200;
   for (int step = 0; step < kMaxSteps && fit.step(); ++step) {
     if (fit.residuals().maxCoeff() <= 1) return false;

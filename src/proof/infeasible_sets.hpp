@@ -6,8 +6,8 @@
 
 #include "estimation/minimax_fit.hpp"
 #include "estimation/moments.hpp"
+#include "geometry/correspondence_arrays.hpp"
 #include "gmcr/options.hpp"
-#include "kernels/consistency_row.hpp"
 
 namespace gmcr::proof {
 
@@ -16,10 +16,10 @@ namespace gmcr::proof {
 /// If one holds all of a set, any weighted mean of the squared relative residuals is at most 1 for
 /// it, and so is the least mean of all transforms, which is known in closed form
 /// (`least_squares_bound`). Weights that make the least mean exceed 1 exclude the set.
-class JointFit {
+class InfeasibleSets {
  public:
   /// Keeps the reference. @param arrays  with bounds that cover the rounding of residuals.
-  JointFit(const kernels::CorrespondenceArrays& arrays, const ScaleRange& scales);
+  InfeasibleSets(const geometry::CorrespondenceArrays& arrays, const ScaleRange& scales);
 
   /// Members that exclude each other.
   struct Conflict {
@@ -48,7 +48,7 @@ class JointFit {
   static bool excludes(estimation::MinimaxFit& fit);
   bool settle(estimation::MinimaxFit& fit) const;
 
-  const kernels::CorrespondenceArrays& arrays_;
+  const geometry::CorrespondenceArrays& arrays_;
   ScaleRange scales_;
   std::vector<estimation::Moments> moments_;  ///< of each correspondence, in units of its bound
 };

@@ -1,18 +1,14 @@
 #pragma once
 
-#include "parallel/deadline.hpp"
-#include "search/incumbent.hpp"
+#include "search/best_poses.hpp"
 
 namespace gmcr::proof {
 
-/// Time that the options let the bounds on a measure be tightened: none unless they ask for it,
-/// else half of what is left for the evidence, and all of it for the number of inliers, less what
+/// `Options::certify`: lowers the upper bounds of a search by searches over consensus sets until
+/// they meet what was achieved or the time is up; keeps the better poses that these meet.
+///
+/// Half of the time that is left is for the evidence, the rest for the number of inliers, less what
 /// further hypotheses need.
-parallel::Deadline certify_deadline(search::PoseSearch& search, search::Measure measure);
-
-/// Lowers an upper bound on the measure of poses in a range by the joint search until it meets what
-/// was achieved or the time is up; offers the better poses that it meets.
-double tighten(search::PoseSearch& search, const search::RangeGraph& range, search::Measure measure,
-               double upper_bound, const parallel::Deadline& deadline);
+void tighten(search::BestPoseSearch& search);
 
 }  // namespace gmcr::proof

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimation/minimax_fit.hpp"
+#include "problem/measure.hpp"
 #include "refine/pose_neighbourhood.hpp"
 
 namespace gmcr::refine {
@@ -14,23 +15,21 @@ namespace {
 /// Follows the pose of best score.
 class Climb {
  public:
-  Climb(const NearSet& near, const estimation::PoseConstraints& constraints,
-        const Similarity& start)
-      : near_(near), constraints_(constraints) {
+  Climb(const NearSet& near, const problem::CentredPose& start) : near_(near) {
     move_to(start);
     best_ = start;
     best_score_ = score_;
   }
 
-  const Similarity& best() const { return best_; }
+  const problem::CentredPose& best() const { return best_; }
   std::vector<Index> inliers() const { return near_.within(squares_, 1); }
   double evidence_within(double factor) const {
-    return near_.evidence(squares_, factor, pose_.scale);
+    return near_.evidence(squares_, factor, pose_.scale());
   }
 
   /// Fits to those within `factor` of their bound. @return false where there is no fit.
   bool step(double factor) {
-    const auto fit = near_.fit(squares_, factor, constraints_);
+    const auto fit = near_.fit(squares_, factor);
     if (!fit) return false;
     move_to(*fit);
     if (score_.is_better_than(best_score_)) {
@@ -50,40 +49,34 @@ class Climb {
   }
 
  private:
-  void move_to(const Similarity& pose) {
+  void move_to(const problem::CentredPose& pose) {
     pose_ = pose;
     squares_ = near_.relative_squares(pose);
-    score_ = near_.score(squares_, pose.scale);
+    score_ = near_.score(squares_, pose.scale());
   }
 
   const NearSet& near_;
-  const estimation::PoseConstraints& constraints_;
-  Similarity pose_, best_;
+  problem::CentredPose pose_, best_;
   Eigen::ArrayXd squares_;  // at pose_
   Score score_, best_score_;
 };
 
-/// A held sum, beyond its rounding, is more.
-bool is_more(double evidence, double than) { return evidence > than * (1 + 1e-12); }
-
 /// Minimax fits over given correspondences, and the most evidence that they met.
-class Reach {
+class MinimaxClimb {
  public:
-  Reach(const problem::Objective& objective, const estimation::PoseConstraints& constraints,
-        std::vector<Index> indices, problem::Hypothesis best)
-      : objective_(objective),
+  MinimaxClimb(const problem::Problem& problem, std::vector<Index> indices,
+               problem::Hypothesis best)
+      : objective_(problem.objective()),
         indices_(std::move(indices)),
         best_(std::move(best)),
-        fit_(objective.correspondences().source(Eigen::all, indices_),
-             objective.correspondences().target(Eigen::all, indices_),
-             objective.correspondences().bounds(indices_), constraints) {}
+        fit_(problem.correspondences().source(Eigen::all, indices_),
+             problem.correspondences().target(Eigen::all, indices_),
+             problem.correspondences().bounds(indices_), problem.constraints()) {}
 
   const problem::Hypothesis& best() const { return best_; }
 
   /// Evidence of those that are not given up.
-  double evidence() const {
-    return objective_.evidence_of(indices_, best_.target_from_source.scale);
-  }
+  double evidence() const { return objective_.evidence_of(indices_, best_.pose.scale()); }
 
   /// Fits until all are held. @return the least number that a fit did not hold.
   Index equalise(int max_iterations) {
@@ -98,8 +91,8 @@ class Reach {
           ++missing;
         }
       }
-      if (is_more(held, best_.evidence)) {
-        problem::Hypothesis next = objective_.judge(fit_.pose());
+      if (problem::exceeds(held, best_.evidence)) {
+        problem::Hypothesis next = objective_.judge({fit_.pose()});
         if (problem::is_better(next, best_)) best_ = std::move(next);
       }
       least_missing = std::min(least_missing, missing);
@@ -125,23 +118,24 @@ class Reach {
 
 }  // namespace
 
-std::optional<problem::Hypothesis> optimise_locally(const problem::Objective& objective,
-                                                    const estimation::PoseConstraints& constraints,
-                                                    const Similarity& start, const Rival& rival) {
+std::optional<problem::Hypothesis> optimise_locally(const problem::Problem& problem,
+                                                    const problem::CentredPose& start,
+                                                    const Incumbent& incumbent) {
   constexpr double kNear = 3;
   constexpr int kMaxRounds = 3;
   problem::Hypothesis best;
-  Similarity pose = start;
+  problem::CentredPose pose = start;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const NearSet near(objective, pose, kNear);
-    Climb climb(near, constraints, pose);
+    const NearSet near(problem, pose, kNear);
+    Climb climb(near, pose);
     if (round > 0) {
       climb.settle();
-    } else if (climb.step(2) && is_more(climb.evidence_within(1.5), rival.evidence())) {
-      if (rival.settled && rival.is_near(climb.inliers())) return std::nullopt;
+    } else if (climb.step(2) &&
+               problem::exceeds(climb.evidence_within(1.5), incumbent.evidence())) {
+      if (incumbent.is_exhausted && incumbent.is_near(climb.inliers())) return std::nullopt;
       if (climb.step(1.5)) climb.settle();
     }
-    problem::Hypothesis next = objective.judge(climb.best());
+    problem::Hypothesis next = problem.objective().judge(climb.best());
     if (round > 0 && !problem::is_better(next, best)) break;
     best = std::move(next);
     // others may have come near
@@ -149,35 +143,33 @@ std::optional<problem::Hypothesis> optimise_locally(const problem::Objective& ob
                       best.inliers.end())) {
       break;
     }
-    pose = best.target_from_source;
+    pose = best.pose;
   }
   return best;
 }
 
-problem::Hypothesis hold_all(const problem::Objective& objective,
-                             const estimation::PoseConstraints& constraints,
-                             const std::vector<Index>& indices, problem::Hypothesis best) {
+problem::Hypothesis hold_all(const problem::Problem& problem, const std::vector<Index>& indices,
+                             problem::Hypothesis best) {
   constexpr int kIterations = 20;
-  Reach reach(objective, constraints, indices, std::move(best));
-  reach.equalise(kIterations);
-  return reach.best();
+  MinimaxClimb climb(problem, indices, std::move(best));
+  climb.equalise(kIterations);
+  return climb.best();
 }
 
-problem::Hypothesis reach_for_more(const problem::Objective& objective,
-                                   const estimation::PoseConstraints& constraints,
-                                   problem::Hypothesis best, double must_exceed) {
-  constexpr double kReach = 1.5;
+problem::Hypothesis hold_more(const problem::Problem& problem, problem::Hypothesis best,
+                              double must_exceed) {
+  constexpr double kNear = 1.5;
   constexpr int kIterations = 20, kFurtherIterations = 5;
   constexpr Index kMaxGivenUp = 10;
-  std::vector<Index> indices = objective.within(best.target_from_source, kReach);
-  Reach reach(objective, constraints, std::move(indices), std::move(best));
+  std::vector<Index> indices = problem.objective().within(best.pose, kNear);
+  MinimaxClimb climb(problem, std::move(indices), std::move(best));
   for (Index left = kMaxGivenUp; left >= 0; --left) {
-    if (!is_more(reach.evidence(), std::max(reach.best().evidence, must_exceed))) break;
-    const Index missing = reach.equalise(left == kMaxGivenUp ? kIterations : kFurtherIterations);
+    if (!problem::exceeds(climb.evidence(), std::max(climb.best().evidence, must_exceed))) break;
+    const Index missing = climb.equalise(left == kMaxGivenUp ? kIterations : kFurtherIterations);
     if (missing == 0 || missing > left) break;
-    reach.give_up_heaviest();
+    climb.give_up_heaviest();
   }
-  return reach.best();
+  return climb.best();
 }
 
 }  // namespace gmcr::refine

@@ -36,10 +36,9 @@ std::vector<Motion> directions(bool with_scale) {
 /// Follows the best score among motions about the centroid of the inliers.
 class PatternSearch {
  public:
-  PatternSearch(const NearSet& near, const estimation::PoseConstraints& constraints,
-                const problem::Hypothesis& start)
-      : near_(near), constraints_(constraints), pose_(start.target_from_source) {
-    const problem::Correspondences& c = near.objective().correspondences();
+  PatternSearch(const NearSet& near, const problem::Hypothesis& start)
+      : near_(near), scales_(near.problem().scales()), pose_(start.pose) {
+    const problem::Correspondences& c = near.problem().correspondences();
     centre_.setZero();
     for (const Index i : start.inliers) centre_ += c.target.col(i);
     centre_ /= static_cast<double>(start.inliers.size());
@@ -50,23 +49,23 @@ class PatternSearch {
     }
     radius_ = std::sqrt(squared_radius / static_cast<double>(start.inliers.size()));
     bound_ /= static_cast<double>(start.inliers.size());
-    score_ = near.score(near.relative_squares(pose_), pose_.scale);
+    score_ = near.score(near.relative_squares(pose_), pose_.scale());
   }
 
-  const Similarity& run() {
+  const problem::CentredPose& run() {
     constexpr int kMaxPasses = 1000;
     constexpr double kMaxVisits = 3e5;  // of correspondences
     if (!(radius_ > 0)) return pose_;
     int passes = static_cast<int>(
         std::min<double>(kMaxPasses, kMaxVisits / static_cast<double>(near_.indices().size())));
-    const std::vector<Motion> all = directions(constraints_.scales.min < constraints_.scales.max);
+    const std::vector<Motion> all = directions(scales_.min < scales_.max);
     for (const double step : {0.4, 0.2, 0.1, 0.05, 0.025}) {
-      bool moved = true;
-      while (moved) {
-        moved = false;
+      bool improved = true;
+      while (improved) {
+        improved = false;
         for (const Motion& direction : all) {
           for (const double signed_step : {step, -step}) {
-            while (passes-- > 0 && moves(signed_step * direction)) moved = true;
+            while (passes-- > 0 && try_motion(signed_step * direction)) improved = true;
             if (passes <= 0) return pose_;
           }
         }
@@ -77,9 +76,9 @@ class PatternSearch {
 
  private:
   /// Tries a motion and keeps it where it is better.
-  bool moves(const Motion& motion) {
-    const Similarity next = moved(motion);
-    const Score score = near_.score(near_.relative_squares(next), next.scale);
+  bool try_motion(const Motion& motion) {
+    const problem::CentredPose next{apply(motion, pose_.similarity)};
+    const Score score = near_.score(near_.relative_squares(next), next.scale());
     if (!score.is_better_than(score_)) return false;
     pose_ = next;
     score_ = score;
@@ -87,25 +86,25 @@ class PatternSearch {
   }
 
   /// The pose turned, shifted and scaled about the centre.
-  Similarity moved(const Motion& motion) const {
+  Similarity apply(const Motion& motion, const Similarity& pose) const {
     const Eigen::Vector3d half = motion.head<3>() * (bound_ / radius_ / 2);
     // a small turn without sines, whose last bit differs from machine to machine
     const Eigen::Matrix3d turn =
         Eigen::Quaterniond(1, half.x(), half.y(), half.z()).normalized().toRotationMatrix();
-    Similarity next = pose_;
+    Similarity next = pose;
     if (motion[6] != 0) {
-      next.scale = std::clamp(pose_.scale * (1 + motion[6] * bound_ / radius_),
-                              constraints_.scales.min, constraints_.scales.max);
+      next.scale =
+          std::clamp(pose.scale * (1 + motion[6] * bound_ / radius_), scales_.min, scales_.max);
     }
-    next.rotation = turn * pose_.rotation;
-    next.translation = (next.scale / pose_.scale) * (turn * (pose_.translation - centre_)) +
-                       centre_ + bound_ * motion.segment<3>(3);
+    next.rotation = turn * pose.rotation;
+    next.translation = (next.scale / pose.scale) * (turn * (pose.translation - centre_)) + centre_ +
+                       bound_ * motion.segment<3>(3);
     return next;
   }
 
   const NearSet& near_;
-  const estimation::PoseConstraints& constraints_;
-  Similarity pose_;
+  const ScaleRange scales_;
+  problem::CentredPose pose_;
   Score score_;
   Eigen::Vector3d centre_;
   double radius_ = 0, bound_ = 0;
@@ -113,14 +112,12 @@ class PatternSearch {
 
 }  // namespace
 
-problem::Hypothesis climb_by_motions(const problem::Objective& objective,
-                                     const estimation::PoseConstraints& constraints,
-                                     problem::Hypothesis best) {
+problem::Hypothesis climb_by_motions(const problem::Problem& problem, problem::Hypothesis best) {
   constexpr double kNear = 1.6;
-  if (best.num_inliers() < problem::kMinInliers || !constraints.priors.admit_all()) return best;
-  const NearSet near(objective, best.target_from_source, kNear);
-  PatternSearch search(near, constraints, best);
-  problem::Hypothesis next = objective.judge(search.run());
+  if (best.num_inliers() < problem::kMinInliers || !problem.constraints().priors.admit_all())
+    return best;
+  const NearSet near(problem, best.pose, kNear);
+  problem::Hypothesis next = problem.objective().judge(PatternSearch(near, best).run());
   return problem::is_better(next, best) ? next : best;
 }
 

@@ -23,30 +23,32 @@ double sum_in_lanes(Index count, const Term& term) {
 
 }  // namespace
 
-NearSet::NearSet(const problem::Objective& objective, const Similarity& pose, double factor)
-    : objective_(objective),
-      indices_(objective.within(pose, factor)),
-      source_(objective.correspondences().source(Eigen::all, indices_).transpose()),
-      target_(objective.correspondences().target(Eigen::all, indices_).transpose()),
-      inverse_squared_bounds_(objective.correspondences().bounds(indices_).square().inverse()) {
-  if (objective.weights_depend_on_scale()) return;
+NearSet::NearSet(const problem::Problem& problem, const problem::CentredPose& pose, double factor)
+    : problem_(problem),
+      indices_(problem.objective().within(pose, factor)),
+      source_(problem.correspondences().source(Eigen::all, indices_).transpose()),
+      target_(problem.correspondences().target(Eigen::all, indices_).transpose()),
+      inverse_squared_bounds_(problem.correspondences().bounds(indices_).square().inverse()) {
+  if (problem.objective().weights_depend_on_scale()) return;
   weights_.resize(static_cast<Index>(indices_.size()));
   for (Index k = 0; k < weights_.size(); ++k) {
-    weights_[k] = objective.weight(indices_[static_cast<std::size_t>(k)], 1);
+    weights_[k] = problem.objective().weight(indices_[static_cast<std::size_t>(k)], 1);
   }
 }
 
-Eigen::ArrayXd NearSet::relative_squares(const Similarity& pose) const {
-  return kernels::squared_residuals(pose, source_, target_) * inverse_squared_bounds_;
+Eigen::ArrayXd NearSet::relative_squares(const problem::CentredPose& pose) const {
+  return kernels::squared_residuals(pose.similarity, source_, target_) * inverse_squared_bounds_;
 }
 
-std::optional<Similarity> NearSet::fit(const Eigen::ArrayXd& relative_squares, double factor,
-                                       const estimation::PoseConstraints& constraints) const {
+std::optional<problem::CentredPose> NearSet::fit(const Eigen::ArrayXd& relative_squares,
+                                                 double factor) const {
   const auto chosen = relative_squares <= factor * factor;
   if (chosen.count() < problem::kMinInliers) return std::nullopt;
-  return estimation::fit_pose(
+  const auto fit = estimation::fit_pose(
       estimation::measure_moments(source_, target_, chosen.select(inverse_squared_bounds_, 0.0)),
-      constraints);
+      problem_.constraints());
+  if (!fit) return std::nullopt;
+  return problem::CentredPose{*fit};
 }
 
 std::vector<Index> NearSet::within(const Eigen::ArrayXd& relative_squares, double factor) const {
@@ -62,11 +64,11 @@ double NearSet::evidence(const Eigen::ArrayXd& relative_squares, double factor,
                          double scale) const {
   const double limit = factor * factor;
   const Index count = relative_squares.size();
-  if (objective_.weights_depend_on_scale()) {
+  if (problem_.objective().weights_depend_on_scale()) {
     double evidence = 0;
     for (Index k = 0; k < count; ++k) {
       if (!(relative_squares[k] <= limit)) continue;
-      evidence += objective_.weight(indices_[static_cast<std::size_t>(k)], scale);
+      evidence += problem_.objective().weight(indices_[static_cast<std::size_t>(k)], scale);
     }
     return evidence;
   }

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/pose_constraints.hpp"
-#include "problem/objective.hpp"
+#include "problem/problem.hpp"
 
 namespace gmcr::refine {
 
@@ -24,19 +23,19 @@ struct Score {
 class NearSet {
  public:
   /// Those whose residual at the pose is at most `factor` times their bound. Keeps a reference to
-  /// the objective. Cost O(N).
-  NearSet(const problem::Objective& objective, const Similarity& pose, double factor);
+  /// the problem. Cost O(N).
+  NearSet(const problem::Problem& problem, const problem::CentredPose& pose, double factor);
 
-  const problem::Objective& objective() const { return objective_; }
+  const problem::Problem& problem() const { return problem_; }
   const std::vector<Index>& indices() const { return indices_; }  ///< ascending
 
   /// Squared residuals over squared bounds. Cost O(M) for the M in the set, as of all below.
-  Eigen::ArrayXd relative_squares(const Similarity& pose) const;
+  Eigen::ArrayXd relative_squares(const problem::CentredPose& pose) const;
 
   /// Fit to those whose entry of `relative_squares` is at most factor^2.
   /// @return nullopt where they are fewer than 3, and where no admitted pose is found.
-  std::optional<Similarity> fit(const Eigen::ArrayXd& relative_squares, double factor,
-                                const estimation::PoseConstraints& constraints) const;
+  std::optional<problem::CentredPose> fit(const Eigen::ArrayXd& relative_squares,
+                                          double factor) const;
 
   /// Those whose entry of `relative_squares` is at most factor^2, ascending.
   std::vector<Index> within(const Eigen::ArrayXd& relative_squares, double factor) const;
@@ -48,7 +47,7 @@ class NearSet {
   Score score(const Eigen::ArrayXd& relative_squares, double scale) const;
 
  private:
-  const problem::Objective& objective_;
+  const problem::Problem& problem_;
   std::vector<Index> indices_;
   Eigen::MatrixX3d source_, target_;
   Eigen::ArrayXd inverse_squared_bounds_;

@@ -22,7 +22,7 @@ struct SortedInliers {
   Index size() const { return source.cols(); }
 };
 
-SortedInliers sort_by_slack(const kernels::CorrespondenceArrays& inliers,
+SortedInliers sort_by_slack(const geometry::CorrespondenceArrays& inliers,
                             const Eigen::ArrayXd& residuals) {
   const Eigen::ArrayXd slacks = (inliers.bounds - residuals).max(0);
   std::vector<Index> order(static_cast<std::size_t>(inliers.size()));
@@ -60,7 +60,7 @@ ScaleRange intersect_row(const SortedInliers& inliers, Index i, double scale, Sc
 
 }  // namespace
 
-ScaleRange consistent_scales(const kernels::CorrespondenceArrays& inliers,
+ScaleRange consistent_scales(const geometry::CorrespondenceArrays& inliers,
                              const Eigen::ArrayXd& residuals, double scale, int num_threads,
                              const parallel::Deadline& deadline) {
   constexpr Index kFirstRows = 32, kRowsPerChunk = 64;

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "geometry/correspondence_arrays.hpp"
 #include "gmcr/options.hpp"
-#include "kernels/consistency_row.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr::registration {
@@ -21,7 +21,7 @@ namespace gmcr::registration {
 /// Cost O(m log m) and few pairs a point where the residuals vary up to the bound, up to m^2 / 2
 /// pairs, a few ns each, where all are much smaller. Deterministic for any number of threads unless
 /// the deadline passes.
-ScaleRange consistent_scales(const kernels::CorrespondenceArrays& inliers,
+ScaleRange consistent_scales(const geometry::CorrespondenceArrays& inliers,
                              const Eigen::ArrayXd& residuals, double scale, int num_threads,
                              const parallel::Deadline& deadline);
 

@@ -7,7 +7,7 @@
 
 namespace gmcr::registration {
 
-std::string degeneracy_reason(const Points& source, const Similarity& pose,
+std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
                               const std::vector<Index>& inliers, double bound,
                               const Priors& priors) {
   constexpr double kKnownAxis = std::numbers::pi / 180;
@@ -18,8 +18,8 @@ std::string degeneracy_reason(const Points& source, const Similarity& pose,
   }
   if (priors.gravity && priors.gravity->max_tilt <= kKnownAxis) {
     // only the rotation about gravity is left, which points off the line along it determine
-    const double reach = estimation::reach_from_line(source, inliers, priors.gravity->source);
-    if (pose.scale * reach > tolerance) return {};
+    const double distance = estimation::distance_from_line(source, inliers, priors.gravity->source);
+    if (pose.scale * distance > tolerance) return {};
     return "the inliers are on a line along gravity within the noise bound: the rotation about it "
            "is not determined";
   }

@@ -14,7 +14,7 @@ namespace gmcr::registration {
 /// Points that stay within half the noise bound when turned about a line, or scaled about a point,
 /// say nothing about that turn or scale.
 /// @param bound  the largest noise bound of the inliers, metres.
-std::string degeneracy_reason(const Points& source, const Similarity& pose,
+std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
                               const std::vector<Index>& inliers, double bound,
                               const Priors& priors);
 

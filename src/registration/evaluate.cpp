@@ -1,12 +1,15 @@
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gmcr/registration.hpp"
+#include "problem/consistency_graph.hpp"
 #include "problem/input.hpp"
 #include "problem/objective.hpp"
+#include "problem/pair_filter.hpp"
+#include "problem/scales.hpp"
 #include "registration/degeneracy.hpp"
 #include "registration/uncertainty.hpp"
-#include "search/scale_modes.hpp"
 
 namespace gmcr {
 namespace {
@@ -23,6 +26,18 @@ void require_pose(const Similarity& pose) {
   throw std::invalid_argument("target_from_source: is not finite, or its scale is not positive");
 }
 
+/// The graph less the edges of all vertices but the given ones, ascending.
+BitsetGraph without_other_vertices(const BitsetGraph& graph, const std::vector<Index>& vertices) {
+  BitsetGraph some(graph.num_vertices());
+  for (const Index u : vertices) {
+    for (const Index v : vertices) {
+      if (v == u) break;
+      if (graph.has_edge(u, v)) some.add_edge(u, v);
+    }
+  }
+  return some;
+}
+
 }  // namespace
 
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
@@ -30,11 +45,12 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   problem::validate_input(source, target, options);
   require_given_noise(options);
   require_pose(target_from_source);
-  const problem::Correspondences input = problem::correspondences_of(source, target, options);
-  const problem::Hypothesis judged =
-      problem::Objective(input, options.evidence, options.memory_limit / 4,
-                         problem::DistinctEvidence::kAllScales, search::octaves_of(options, input))
-          .judge(target_from_source);
+  const problem::CallerCorrespondences input{source, target,
+                                             problem::inlier_bounds(options, source.cols())};
+  const problem::CallerObjective objective(input, options.evidence, options.memory_limit / 4,
+                                           problem::DistinctEvidence::kAllScales,
+                                           problem::octaves_of(options, source, target));
+  const problem::CallerHypothesis judged = objective.judge({target_from_source});
   return {judged.inliers, judged.evidence};
 }
 
@@ -49,9 +65,10 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
     throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +
                                 std::to_string(source.cols()) + " correspondences");
   }
-  const problem::Correspondences input = problem::correspondences_of(source, target, options);
+  const problem::CallerCorrespondences input{source, target,
+                                             problem::inlier_bounds(options, source.cols())};
   Uncertainty uncertainty =
-      registration::measure_uncertainty(target_from_source, input, inliers, options,
+      registration::measure_uncertainty({target_from_source}, input, inliers, options,
                                         parallel::Deadline(options.time_limit, options.stop));
   const bool determined = uncertainty.covariance &&
                           registration::degeneracy_reason(source, target_from_source, inliers,
@@ -59,6 +76,29 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
                               .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;
+}
+
+BitsetGraph consistency_graph(const PointsRef& source, const PointsRef& target,
+                              const Options& options) {
+  problem::validate_input(source, target, options);
+  require_given_noise(options);
+  const problem::Correspondences centred =
+      problem::centre(source, target, problem::inlier_bounds(options, source.cols()));
+  if (options.scale_mode == ScaleMode::Estimated && !options.scale_range) {
+    throw std::invalid_argument("scale_range: the graph of an unknown scale needs one");
+  }
+  const ScaleRange scales = problem::scales_to_search(options, centred);
+  BitsetGraph graph = problem::consistency_graph(problem::consistency_arrays(centred, scales.max),
+                                                 scales, options.num_threads);
+  const problem::PairFilter filter(centred, options, options.one_to_one, scales);
+  filter.apply(graph, scales, options.num_threads);
+  std::vector<Index> admitted;
+  for (Index i = 0; i < graph.num_vertices(); ++i) {
+    if (filter.admits(i, scales)) admitted.push_back(i);
+  }
+  return static_cast<Index>(admitted.size()) == graph.num_vertices()
+             ? graph
+             : without_other_vertices(graph, admitted);
 }
 
 }  // namespace gmcr

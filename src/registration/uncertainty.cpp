@@ -13,23 +13,23 @@ bool scale_is_free(const Options& options) {
 
 }  // namespace
 
-Uncertainty measure_uncertainty(const Similarity& target_from_source,
-                                const problem::Correspondences& input,
+Uncertainty measure_uncertainty(const problem::CallerPose& pose,
+                                const problem::CallerCorrespondences& input,
                                 const std::vector<Index>& inliers, const Options& options,
                                 const parallel::Deadline& deadline) {
   const bool free = scale_is_free(options);
   Uncertainty uncertainty;
   uncertainty.covariance = estimation::estimate_covariance(
-      target_from_source, input.source, input.target, input.bounds, inliers, free);
-  const double scale = target_from_source.scale;
+      pose.similarity, input.source, input.target, input.bounds, inliers, free);
+  const double scale = pose.scale();
   uncertainty.consistent_scales = {scale, scale};
   if (!free) return uncertainty;
-  const problem::Correspondences chosen = problem::subset(input, inliers);
-  const Eigen::ArrayXd residuals =
-      (chosen.target - target_from_source.apply(chosen.source)).colwise().norm();
+  const Points source = input.source(Eigen::all, inliers),
+               target = input.target(Eigen::all, inliers);
+  const Eigen::ArrayXd residuals = (target - pose.similarity.apply(source)).colwise().norm();
   uncertainty.consistent_scales =
-      consistent_scales({chosen.source.transpose(), chosen.target.transpose(), chosen.bounds},
-                        residuals, scale, options.num_threads, deadline);
+      consistent_scales({source.transpose(), target.transpose(), input.bounds(inliers)}, residuals,
+                        scale, options.num_threads, deadline);
   return uncertainty;
 }
 

@@ -8,12 +8,12 @@
 
 namespace gmcr::registration {
 
-/// Covariance and consistent scales of a transform between the frames of `input`.
+/// Covariance and consistent scales of a transform.
 /// @param inliers   its consensus set.
 /// @param deadline  ends the intersection of the scales.
 /// @return no covariance where the inliers are on one line to rounding.
-Uncertainty measure_uncertainty(const Similarity& target_from_source,
-                                const problem::Correspondences& input,
+Uncertainty measure_uncertainty(const problem::CallerPose& pose,
+                                const problem::CallerCorrespondences& input,
                                 const std::vector<Index>& inliers, const Options& options,
                                 const parallel::Deadline& deadline);
 

@@ -1,28 +1,56 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
-#include "estimation/pose_constraints.hpp"
-#include "problem/objective.hpp"
-#include "problem/pair_filter.hpp"
-#include "problem/run.hpp"
+#include "problem/problem.hpp"
+#include "search/scale_branch_and_bound.hpp"
 
 namespace gmcr::search {
 
-/// What a method found and proved.
-struct MethodResult {
-  std::vector<Similarity> poses;  ///< between the centred frames, the best first; empty: none
-  /// Proven: no admitted pose has more inliers; with one-to-one, of which no two share a point.
-  Index upper_bound = 0;
-  double evidence_upper_bound = 0;  ///< the same for their evidence
+/// A search for the best pose over all scales of the problem, and what a proof goes on from: the
+/// poses met, the graphs and the bounds.
+///
+/// Known scale: candidate cliques of the one consistency graph, by number, around the best pose and
+/// away from it, by evidence (L7). Unknown scale: bins of scales, each bounded by how many others
+/// each correspondence agrees with in it (L5); candidate cliques in the bins of most evidence, then
+/// branch and bound over the scale.
+class BestPoseSearch {
+ public:
+  /// Searches. Keeps the references.
+  BestPoseSearch(const problem::Problem& problem, problem::Run& run,
+                 std::vector<problem::Hypothesis> left_out = {});
+  BestPoseSearch(const BestPoseSearch&) = delete;
+  BestPoseSearch& operator=(const BestPoseSearch&) = delete;
+
+  PoseSearch& poses() { return poses_; }
+
+  /// Proven upper bounds; a proof may lower them.
+  PerMeasure& bounds() { return bounds_; }
+
+  /// The graph of a known scale; null where it is unknown.
+  const RangeGraph* graph() const { return graph_ ? &*graph_ : nullptr; }
+
+  /// Where the scale is unknown.
+  ScaleBranchAndBound& scales() { return *scales_; }
+
+  /// The best pose, if any, and the bounds; tells the diagnostics why these may be loose.
+  problem::Found found();
+
+ private:
+  void search_known_scale();
+  void search_scales();
+
+  PoseSearch poses_;
+  PerMeasure bounds_;
+  std::optional<RangeGraph> graph_;
+  std::optional<VotedBins> voted_;
+  std::optional<ScaleBranchAndBound> scales_;
 };
 
-/// `Method::Gmcr`: candidate cliques judged by the objective, bounds from cliques and, where the
-/// options ask for it, from the joint search. Then the same again without the consensus sets found,
-/// for further hypotheses.
-/// @param filter  what the priors and one-to-one say of pairs.
-MethodResult solve_gmcr(problem::SolveContext& context, const problem::Objective& objective,
-                        const estimation::PoseConstraints& constraints,
-                        const problem::PairFilter& filter);
+/// Further poses, each the best one of what the earlier ones do not hold, until there are
+/// `Options::num_hypotheses`.
+/// @param best  the best one, whose search is done.
+void add_alternatives(const problem::Problem& problem, problem::Run& run,
+                      const problem::Hypothesis& best, problem::Found& found);
 
 }  // namespace gmcr::search

@@ -31,7 +31,7 @@ std::size_t BinnedPairs::num_that_fit(const ScaleVotes& votes, std::span<const I
   return count;
 }
 
-BinnedPairs::BinnedPairs(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+BinnedPairs::BinnedPairs(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
                          const ScaleVotes& votes, std::span<const Index> wanted, int num_threads,
                          const parallel::Deadline& deadline) {
   const auto num_bins = static_cast<std::size_t>(bins.size());
@@ -63,7 +63,7 @@ BinnedPairs::BinnedPairs(const kernels::CorrespondenceArrays& arrays, const Scal
   if (late) *this = {};
 }
 
-void BinnedPairs::list_chunk(const kernels::CorrespondenceArrays& arrays,
+void BinnedPairs::list_chunk(const geometry::CorrespondenceArrays& arrays,
                              const kernels::ScaleCells& cells, std::size_t chunk) {
   std::vector<std::size_t> next;
   for (std::size_t list = 0; list < ranges_.size(); ++list) {
@@ -90,7 +90,7 @@ bool BinnedPairs::contains(Index bin) const {
   return !lists_below_.empty() && lists_below_[b + 1] != lists_below_[b];
 }
 
-BitsetGraph BinnedPairs::graph(const kernels::CorrespondenceArrays& arrays, Index bin,
+BitsetGraph BinnedPairs::graph(const geometry::CorrespondenceArrays& arrays, Index bin,
                                const ScaleRange& scales, int num_threads) const {
   const std::size_t list = lists_below_[static_cast<std::size_t>(bin)];
   const bool is_whole = scales.min == ranges_[list].min && scales.max == ranges_[list].max;

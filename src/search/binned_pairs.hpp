@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/correspondence_arrays.hpp"
 #include "gmcr/bitset_graph.hpp"
-#include "kernels/consistency_row.hpp"
 #include "parallel/deadline.hpp"
 #include "search/scale_votes.hpp"
 
@@ -27,7 +27,7 @@ class BinnedPairs {
   /// Lists the pairs of the bins; of none where the deadline passes first.
   /// @param votes  of the same correspondences and bins, counted in time.
   /// The same for any number of threads. Cost O(N^2 + number of votes).
-  BinnedPairs(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+  BinnedPairs(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
               const ScaleVotes& votes, std::span<const Index> wanted, int num_threads,
               const parallel::Deadline& deadline = parallel::Deadline::never());
 
@@ -35,11 +35,11 @@ class BinnedPairs {
 
   /// The consistency graph of a bin that is contained, or of a part of it; of a whole bin it may
   /// hold pairs that only touch that. Cost O(N^2 / 64 + pairs of the bin).
-  BitsetGraph graph(const kernels::CorrespondenceArrays& arrays, Index bin,
+  BitsetGraph graph(const geometry::CorrespondenceArrays& arrays, Index bin,
                     const ScaleRange& scales, int num_threads) const;
 
  private:
-  void list_chunk(const kernels::CorrespondenceArrays& arrays, const kernels::ScaleCells& cells,
+  void list_chunk(const geometry::CorrespondenceArrays& arrays, const kernels::ScaleCells& cells,
                   std::size_t chunk);
 
   std::size_t num_chunks_ = 0;

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "estimation/constrained_fit.hpp"
+#include "paper/rotation_consensus.hpp"
 #include "paper/scale_consensus.hpp"
+#include "paper/translation_consensus.hpp"
 #include "refine/local_optimisation.hpp"
 
 namespace gmcr::search {
@@ -39,35 +41,35 @@ paper::Tims longest_tims(const problem::Correspondences& correspondences,
   return paper::make_tims(correspondences, std::move(pairs));
 }
 
-/// Scale (where it is not known), rotation and translation stage on the TIMs of a clique.
-std::optional<Similarity> staged_pose(problem::SolveContext& context,
-                                      const problem::Correspondences& correspondences,
-                                      const estimation::PoseConstraints& constraints,
-                                      const std::vector<Index>& clique) {
-  const paper::Tims tims = longest_tims(correspondences, clique);
+/// The paper's scale (where it is not known), rotation and translation stage on the TIMs of a
+/// clique.
+std::optional<problem::CentredPose> staged_pose(const problem::Problem& problem, problem::Run& run,
+                                                const std::vector<Index>& clique) {
+  const problem::Correspondences& c = problem.correspondences();
+  const paper::Tims tims = longest_tims(c, clique);
   Similarity pose;
-  const ScaleRange& scales = constraints.scales;
-  pose.scale = scales.min;
-  if (scales.min < scales.max) {
-    const auto scale = paper::scale_consensus(tims, scales);
+  pose.scale = problem.scales().min;
+  if (!problem.scale_is_known()) {
+    const auto scale = paper::scale_consensus(tims, problem.scales());
     if (!scale) return std::nullopt;
     pose.scale = scale->scale;
   }
-  const auto rotation = paper::rotation_consensus(context, tims, pose.scale, kMaxCliqueNodes);
+  const auto rotation = paper::rotation_consensus(run, tims, pose.scale, kMaxCliqueNodes);
   if (!rotation) return std::nullopt;
   pose.rotation = rotation->rotation;
-  const paper::TranslationConsensus translation = paper::translation_consensus(
-      context, correspondences, paper::touched_correspondences(tims, rotation->tims), pose.scale,
-      pose.rotation, kMaxCliqueNodes);
+  const paper::TranslationConsensus translation =
+      paper::translation_consensus(run, c, paper::touched_correspondences(tims, rotation->tims),
+                                   pose.scale, pose.rotation, kMaxCliqueNodes);
   pose.translation = translation.translation;
-  if (constraints.priors.admit_all()) return pose;
-  return estimation::fit_pose(correspondences.source, correspondences.target,
-                              correspondences.bounds, translation.correspondences,
-                              estimation::at_scale(constraints, pose.scale));
+  if (problem.constraints().priors.admit_all()) return problem::CentredPose{pose};
+  const auto fit = estimation::fit_pose(c.source, c.target, c.bounds, translation.correspondences,
+                                        estimation::at_scale(problem.constraints(), pose.scale));
+  if (!fit) return std::nullopt;
+  return problem::CentredPose{*fit};
 }
 
-/// Whether a part of the clique that beats the rival would have to be nearly all of it, while fits
-/// hold less than half. On the paper's structured problems no such part was ever found.
+/// Whether a part of the clique that beats the incumbent would have to be nearly all of it, while
+/// fits hold less than half. On the paper's structured problems no such part was ever found.
 bool needs_too_much(double in_clique, double held, double to_exceed) {
   constexpr double kMargin = 1.2, kHeld = 0.5;
   return in_clique < kMargin * to_exceed && held < kHeld * in_clique;
@@ -75,32 +77,31 @@ bool needs_too_much(double in_clique, double held, double to_exceed) {
 
 }  // namespace
 
-std::optional<problem::Hypothesis> pose_from_clique(problem::SolveContext& context,
-                                                    const problem::Objective& objective,
-                                                    const estimation::PoseConstraints& constraints,
+std::optional<problem::Hypothesis> pose_from_clique(const problem::Problem& problem,
+                                                    problem::Run& run,
                                                     const std::vector<Index>& clique,
-                                                    const refine::Rival& rival) {
-  const problem::Correspondences& c = objective.correspondences();
-  const auto direct = estimation::fit_pose(c.source, c.target, c.bounds, clique, constraints);
+                                                    const refine::Incumbent& incumbent) {
+  const problem::Correspondences& c = problem.correspondences();
+  const auto direct =
+      estimation::fit_pose(c.source, c.target, c.bounds, clique, problem.constraints());
   if (!direct) return std::nullopt;
-  ++context.diagnostics().num_candidates;
-  std::optional<problem::Hypothesis> best =
-      refine::optimise_locally(objective, constraints, *direct, rival);
+  ++run.diagnostics().num_candidates;
+  std::optional<problem::Hypothesis> best = refine::optimise_locally(problem, {*direct}, incumbent);
   if (!best) return std::nullopt;
   const auto holds_all = [&] {
     return std::includes(best->inliers.begin(), best->inliers.end(), clique.begin(), clique.end());
   };
   if (holds_all()) return best;
-  const double in_clique = objective.evidence_of(clique, best->target_from_source.scale);
-  if (in_clique <= rival.evidence()) return best;
+  const double in_clique = problem.objective().evidence_of(clique, best->pose.scale());
+  if (in_clique <= incumbent.evidence()) return best;
   // a clique around the best pose so far has no part worth the stages
-  if (rival.is_near(best->inliers)) return best;
-  best = refine::hold_all(objective, constraints, clique, std::move(*best));
-  if (holds_all() || needs_too_much(in_clique, best->evidence, rival.evidence())) return best;
-  const auto staged = staged_pose(context, c, constraints, clique);
+  if (incumbent.is_near(best->inliers)) return best;
+  best = refine::hold_all(problem, clique, std::move(*best));
+  if (holds_all() || needs_too_much(in_clique, best->evidence, incumbent.evidence())) return best;
+  const auto staged = staged_pose(problem, run, clique);
   if (!staged) return best;
-  ++context.diagnostics().num_candidates;
-  const auto other = refine::optimise_locally(objective, constraints, *staged, rival);
+  ++run.diagnostics().num_candidates;
+  const auto other = refine::optimise_locally(problem, *staged, incumbent);
   return other && problem::is_better(*other, *best) ? other : best;
 }
 

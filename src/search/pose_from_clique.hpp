@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/pose_constraints.hpp"
-#include "problem/objective.hpp"
+#include "problem/problem.hpp"
 #include "problem/run.hpp"
 #include "refine/local_optimisation.hpp"
 
@@ -15,15 +14,14 @@ namespace gmcr::search {
 /// First the closed form on the whole clique. Where the pose does not hold all of the clique, which
 /// pairwise distances allow (mirrored and loosely fitting sets), also fits that try to, and then
 /// the rotation and translation stages on its longest TIMs, which look for a part of it.
-/// @param constraints  what the pose must satisfy.
-/// @param rival  a clique that gives no more evidence, or whose pose is near, has no part worth the
+/// @param incumbent  a clique that gives no more evidence, or whose pose is near, has no part worth
+/// the
 ///   stages.
 /// @return nullopt where the clique has fewer than 3 vertices, leads to no admitted pose, or leads
-///   to a settled rival.
-std::optional<problem::Hypothesis> pose_from_clique(problem::SolveContext& context,
-                                                    const problem::Objective& objective,
-                                                    const estimation::PoseConstraints& constraints,
+///   to a exhausted incumbent.
+std::optional<problem::Hypothesis> pose_from_clique(const problem::Problem& problem,
+                                                    problem::Run& run,
                                                     const std::vector<Index>& clique,
-                                                    const refine::Rival& rival);
+                                                    const refine::Incumbent& incumbent);
 
 }  // namespace gmcr::search

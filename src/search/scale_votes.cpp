@@ -54,7 +54,7 @@ class TallyPool {
 /// Votes of the correspondences one after the other.
 class RowVotes {
  public:
-  RowVotes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+  RowVotes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
            const RunWeights& weights)
       : arrays_(arrays),
         num_bins_(bins.size()),
@@ -113,7 +113,7 @@ class RowVotes {
     }
   }
 
-  const kernels::CorrespondenceArrays& arrays_;
+  const geometry::CorrespondenceArrays& arrays_;
   Index num_bins_;
   kernels::ScaleCells cells_;
   const RunWeights& weights_;
@@ -140,7 +140,7 @@ RunWeights::RunWeights(Index num_correspondences, const ScaleBins& bins,
   }
 }
 
-ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+ScaleVotes count_scale_votes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
                              const RunWeights& weights, std::size_t max_bytes, int num_threads,
                              const parallel::Deadline& deadline) {
   constexpr Index kRowsPerChunk = ScaleVotes::kRowsPerChunk;

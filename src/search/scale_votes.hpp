@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernels/consistency_row.hpp"
+#include "geometry/correspondence_arrays.hpp"
 #include "parallel/deadline.hpp"
 #include "search/scale_bins.hpp"
 
@@ -60,7 +60,7 @@ struct ScaleVotes {
 ///   of a part of the pairs, every pair votes for every bin in `pairs` and the bounds, which bounds
 ///   too, and `pairs_of_chunks` is empty.
 /// Cost O(N^2 + N bins), memory O(bins log N) a thread and O(bins N / 64).
-ScaleVotes count_scale_votes(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+ScaleVotes count_scale_votes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
                              const RunWeights& weights, std::size_t max_bytes, int num_threads,
                              const parallel::Deadline& deadline = parallel::Deadline::never());
 

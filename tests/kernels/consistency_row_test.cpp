@@ -12,11 +12,11 @@
 namespace gmcr {
 namespace {
 
-kernels::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
+geometry::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
   testing::RandomGeometry random(seed);
-  kernels::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
-                                       random.in_cube(count, 0.7).transpose(),
-                                       Eigen::ArrayXd(count)};
+  geometry::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
+                                        random.in_cube(count, 0.7).transpose(),
+                                        Eigen::ArrayXd(count)};
   for (double& bound : arrays.bounds) bound = random.uniform(0, 0.2);
   // pairs that agree exactly at the bound, and coincident points
   for (Index i = 8; i + 8 < count; i += 8) {

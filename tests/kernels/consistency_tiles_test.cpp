@@ -13,15 +13,16 @@
 namespace gmcr {
 namespace {
 
+using geometry::CorrespondenceArrays;
 using kernels::ConsistencyTiles;
-using kernels::CorrespondenceArrays;
 
 /// A third of the correspondences are inliers of the identity, others random; some are duplicates.
-CorrespondenceArrays mixed_arrays(std::uint64_t seed, Index count, double size, double bound) {
+geometry::CorrespondenceArrays mixed_arrays(std::uint64_t seed, Index count, double size,
+                                            double bound) {
   testing::RandomGeometry random(seed);
-  CorrespondenceArrays arrays{random.in_cube(count, size).transpose(),
-                              random.in_cube(count, size).transpose(),
-                              Eigen::ArrayXd::Constant(count, bound)};
+  geometry::CorrespondenceArrays arrays{random.in_cube(count, size).transpose(),
+                                        random.in_cube(count, size).transpose(),
+                                        Eigen::ArrayXd::Constant(count, bound)};
   for (Index i = 0; i < count; i += 3) {
     arrays.target.row(i) = arrays.source.row(i) + random.in_ball(bound).transpose();
   }
@@ -33,10 +34,10 @@ CorrespondenceArrays mixed_arrays(std::uint64_t seed, Index count, double size, 
 }
 
 /// All coordinates are multiples of 1 / 1024, and many pairs are off by exactly their bound.
-CorrespondenceArrays edge_arrays(std::uint64_t seed, Index count, double offset = 0) {
+geometry::CorrespondenceArrays edge_arrays(std::uint64_t seed, Index count, double offset = 0) {
   testing::RandomGeometry random(seed);
-  CorrespondenceArrays arrays{Eigen::MatrixX3d(count, 3), Eigen::MatrixX3d(count, 3),
-                              Eigen::ArrayXd::Constant(count, 1.0 / 32)};
+  geometry::CorrespondenceArrays arrays{Eigen::MatrixX3d(count, 3), Eigen::MatrixX3d(count, 3),
+                                        Eigen::ArrayXd::Constant(count, 1.0 / 32)};
   for (Index i = 0; i < count; ++i) {
     // along one axis, so that lengths are exact as well
     const double x = static_cast<double>(random.index(2048)) / 1024;
@@ -48,8 +49,8 @@ CorrespondenceArrays edge_arrays(std::uint64_t seed, Index count, double offset 
 }
 
 /// Compares all tiles with the reference on every instruction set.
-void expect_reference_bits(const CorrespondenceArrays& arrays, double scale_min, double scale_max,
-                           bool single_precision) {
+void expect_reference_bits(const geometry::CorrespondenceArrays& arrays, double scale_min,
+                           double scale_max, bool single_precision) {
   const Index count = arrays.size(), num_blocks = (count + 63) / 64;
   std::vector<std::vector<std::uint64_t>> reference(static_cast<std::size_t>(num_blocks * 64));
   for (auto& row : reference) row.resize(static_cast<std::size_t>(num_blocks));

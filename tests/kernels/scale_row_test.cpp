@@ -16,10 +16,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Some source points, target points or both coincide; some bounds are 0; some points are far off,
 /// as near as the smallest numbers, or nowhere.
-kernels::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
+geometry::CorrespondenceArrays random_arrays(std::uint64_t seed, Index count) {
   testing::RandomGeometry random(seed);
-  kernels::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
-                                       random.in_cube(count, 2).transpose(), Eigen::ArrayXd(count)};
+  geometry::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
+                                        random.in_cube(count, 2).transpose(),
+                                        Eigen::ArrayXd(count)};
   for (double& bound : arrays.bounds) bound = random.index(4) == 0 ? 0 : random.uniform(0, 0.2);
   for (Index i = 1; i < count; ++i) {
     const Index kind = random.index(40);
@@ -61,9 +62,9 @@ TEST(ScaleRow, GivesTheBinsOfTheReferenceOnEveryInstructionSet) {
 TEST(AgreeingBins, AreThoseWhereThePairIsConsistent) {
   const Index count = 150;
   testing::RandomGeometry random(5);
-  kernels::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
-                                       random.in_cube(count, 2).transpose(),
-                                       Eigen::ArrayXd::Constant(count, 0.02)};
+  geometry::CorrespondenceArrays arrays{random.in_cube(count).transpose(),
+                                        random.in_cube(count, 2).transpose(),
+                                        Eigen::ArrayXd::Constant(count, 0.02)};
   arrays.source.row(5) = arrays.source.row(4);
   arrays.source.row(7) = arrays.source.row(6);
   arrays.target.row(7) = arrays.target.row(6);

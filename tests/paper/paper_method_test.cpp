@@ -2,7 +2,7 @@
 
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
-#include "parallel/deadline.hpp"
+#include "parallel/stopwatch.hpp"
 #include "problems.hpp"
 
 namespace gmcr::paper {
@@ -78,7 +78,7 @@ TEST(PaperMethod, KeepsToTheTimeLimitInsideItsGraphs) {
   Options options = problem.options();
   options.method = Method::Paper;
   options.time_limit = 0.2;
-  const parallel::Deadline clock(0);
+  const parallel::Stopwatch clock;
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_LT(clock.elapsed(), 20);  // all of its rotation graph takes minutes
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());

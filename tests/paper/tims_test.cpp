@@ -66,5 +66,16 @@ TEST(MeasureScales, OfCoincidentSourcePointsAdmitsEveryScaleOrNone) {
   EXPECT_TRUE(std::isinf(m.alpha[0]));
 }
 
+TEST(MaxMembers, IsTheLargestSetWithThatManyPairs) {
+  EXPECT_EQ(max_members(0), 1);
+  EXPECT_EQ(max_members(1), 2);
+  EXPECT_EQ(max_members(2), 2);
+  EXPECT_EQ(max_members(3), 3);
+  for (Index m = 2; m < 3000; m += 7) {
+    EXPECT_EQ(max_members(m * (m - 1) / 2), m);
+    EXPECT_EQ(max_members(m * (m - 1) / 2 - 1), m - 1);
+  }
+}
+
 }  // namespace
 }  // namespace gmcr::paper

@@ -30,7 +30,9 @@ TEST(Uncentre, TurnsACentredTransformIntoOneBetweenTheCallersFrames) {
   Similarity centred = truth;
   centred.translation.setZero();  // centroid maps to centroid
   EXPECT_LT((centred.apply(c.source) - c.target).norm(), 1e-10);
-  EXPECT_LT((uncentre(centred, c).translation - truth.translation).norm(), 1e-10);
+  const CallerPose pose = uncentre(CentredPose{centred}, c);
+  EXPECT_LT((pose.similarity.translation - truth.translation).norm(), 1e-10);
+  EXPECT_LT(centre(pose, c).similarity.translation.norm(), 1e-10);
 }
 
 TEST(Subset, KeepsTheOrderOfTheIndicesAndTheOrigins) {

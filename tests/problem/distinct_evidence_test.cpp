@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "problem/correspondences.hpp"
 #include "problem/scale_buckets.hpp"
 #include "random_geometry.hpp"
 
@@ -12,7 +13,8 @@ constexpr std::size_t kEnough = 1 << 20;
 const Octaves kOctaves(1.1);
 
 Eigen::ArrayXd weights_of(const Correspondences& correspondences, double scale) {
-  const DistinctEvidence evidence(correspondences, kEnough, kOctaves);
+  const DistinctEvidence evidence(correspondences.source, correspondences.target,
+                                  correspondences.bounds, kEnough, kOctaves);
   Eigen::ArrayXd weights(correspondences.size());
   for (Index i = 0; i < weights.size(); ++i) weights[i] = evidence.weight(i, scale);
   return weights;
@@ -50,8 +52,10 @@ TEST(DistinctEvidence, OfACopiedCorrespondenceIsSharedByTheCopies) {
 
 TEST(DistinctEvidence, SaysWhenItsMemoryDoesNotSufficeAndThenCounts) {
   const Correspondences c{Points::Zero(3, 50), Points::Zero(3, 50), Eigen::ArrayXd::Ones(50)};
-  EXPECT_TRUE(DistinctEvidence(c, 50 * 49 * sizeof(double), kOctaves).complete());
-  const DistinctEvidence evidence(c, 50 * 49 * sizeof(double) - 1, kOctaves);
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 50 * 49 * sizeof(double), kOctaves)
+                  .complete());
+  const DistinctEvidence evidence(c.source, c.target, c.bounds, 50 * 49 * sizeof(double) - 1,
+                                  kOctaves);
   EXPECT_FALSE(evidence.complete());
   EXPECT_EQ(evidence.weight(0, 1), 1);
 }
@@ -60,9 +64,10 @@ TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
   testing::RandomGeometry random(3);
   Correspondences c{random.in_cube(200), random.in_cube(200), Eigen::ArrayXd(200)};
   for (double& bound : c.bounds) bound = random.uniform(0.001, 0.15);
-  const DistinctEvidence all(c, kEnough, kOctaves), some(c, kEnough, kOctaves, {0.5, 2});
+  const DistinctEvidence all(c.source, c.target, c.bounds, kEnough, kOctaves),
+      some(c.source, c.target, c.bounds, kEnough, kOctaves, {0.5, 2});
   for (const double scale : {0.5, 0.7, 0.71, 1.0, 1.3, 2.0}) {
-    const DistinctEvidence known(c, kEnough, kOctaves, {scale, scale});
+    const DistinctEvidence known(c.source, c.target, c.bounds, kEnough, kOctaves, {scale, scale});
     EXPECT_TRUE(known.has_partners());
     for (Index i = 0; i < 200; ++i) {
       EXPECT_EQ(known.weight(i, scale), all.weight(i, scale));
@@ -75,29 +80,33 @@ TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
   testing::RandomGeometry random(5);
   const Correspondences c{random.in_cube(100), random.in_cube(100),
                           Eigen::ArrayXd::Constant(100, 0.1)};
-  EXPECT_FALSE(DistinctEvidence(c, kEnough, kOctaves, {0.8, 1.5}).depends_on_scale());
-  EXPECT_TRUE(DistinctEvidence(c, kEnough, kOctaves, {0.8, 1.6}).depends_on_scale());
+  EXPECT_FALSE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.8, 1.5})
+                   .depends_on_scale());
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.8, 1.6})
+                  .depends_on_scale());
 }
 
 TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
   testing::RandomGeometry random(4);
   const Correspondences c{random.in_cube(50), random.in_cube(50),
                           Eigen::ArrayXd::Constant(50, 0.1)};
-  EXPECT_TRUE(DistinctEvidence(c, kEnough, kOctaves, {0.1, 0.1}).has_partners());
-  EXPECT_FALSE(DistinctEvidence(c, kEnough, kOctaves, {1e6, 1e6}).has_partners());
+  EXPECT_TRUE(
+      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.1, 0.1}).has_partners());
+  EXPECT_FALSE(
+      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {1e6, 1e6}).has_partners());
 }
 
 TEST(DistinctEvidence, OfOneHugeClusterEndsWithItsMemory) {
   const Correspondences c{Points::Zero(3, 20'000), Points::Zero(3, 20'000),
                           Eigen::ArrayXd::Ones(20'000)};
-  const DistinctEvidence evidence(c, kEnough, kOctaves, {1, 1});
+  const DistinctEvidence evidence(c.source, c.target, c.bounds, kEnough, kOctaves, {1, 1});
   EXPECT_FALSE(evidence.complete());
   EXPECT_FALSE(evidence.has_partners());
 }
 
 TEST(DistinctEvidence, OfNothingIsComplete) {
   const Correspondences c{Points(3, 0), Points(3, 0), Eigen::ArrayXd(0)};
-  EXPECT_TRUE(DistinctEvidence(c, 0, kOctaves).complete());
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 0, kOctaves).complete());
 }
 
 }  // namespace

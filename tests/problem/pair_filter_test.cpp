@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/consistency_row.hpp"
 #include "problem/consistency_graph.hpp"
 #include "random_geometry.hpp"
 

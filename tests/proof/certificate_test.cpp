@@ -1,3 +1,5 @@
+#include "proof/certificate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -272,6 +274,21 @@ TEST(Certificate, OfAHardProblemKeepsToTheTime) {
     EXPECT_FALSE(result.certificate.certified);
     expect_valid(problem, result, options, 1);
   }
+}
+
+TEST(Certify, NeverBoundsBelowWhatWasAchieved) {
+  EXPECT_TRUE(certify(5, 5, 5, 5).certified);
+  EXPECT_FALSE(certify(5, 6, 5, 6).certified);
+  EXPECT_EQ(certify(5, 3, 4, 2).upper, 5);
+  EXPECT_EQ(certify(5, 3, 4, 2).evidence.upper, 4);
+}
+
+TEST(Certify, TakesTheNumberOfInliersForABoundOnTheirEvidence) {
+  const Certificate certificate = certify(5, 6, 3.5, 8);
+  EXPECT_EQ(certificate.evidence.lower, 3.5);
+  EXPECT_EQ(certificate.evidence.upper, 6);
+  EXPECT_FALSE(certificate.evidence.certified);
+  EXPECT_TRUE(certify(5, 6, 3.5, 3.5 + 1e-12).evidence.certified);
 }
 
 }  // namespace

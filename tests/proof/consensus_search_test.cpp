@@ -20,7 +20,7 @@ constexpr double kBound = 0.05;
 
 /// A few correspondences, and how much each of them weighs.
 struct SmallProblem {
-  kernels::CorrespondenceArrays arrays;
+  geometry::CorrespondenceArrays arrays;
   ScaleRange scales{1, 1};
   std::vector<double> weights;
 
@@ -43,12 +43,12 @@ struct SmallProblem {
                 const parallel::Deadline& deadline = parallel::Deadline::never()) const {
     const BitsetGraph edges = graph();
     double best = to_beat;
-    const auto offer = [&](const Similarity& pose) {
-      EXPECT_GE(pose.scale, scales.min);
-      EXPECT_LE(pose.scale, scales.max);
-      return best = std::max(best, weight_of(pose));
+    const auto offer = [&](const problem::CentredPose& pose) {
+      EXPECT_GE(pose.scale(), scales.min);
+      EXPECT_LE(pose.scale(), scales.max);
+      return best = std::max(best, weight_of(pose.similarity));
     };
-    return JointSearch(arrays, edges, weights, scales, offer, deadline).run(to_beat);
+    return ConsensusSearch(arrays, edges, weights, scales, offer, deadline).run(to_beat);
   }
 };
 
@@ -154,9 +154,9 @@ void compare_with_enumeration(const SmallProblem& problem, Tally& tally) {
   tally.below_total += *truth < problem.total() - rounding;
 }
 
-class JointSearchOfKind : public ::testing::TestWithParam<Kind> {};
+class ConsensusSearchOfKind : public ::testing::TestWithParam<Kind> {};
 
-TEST_P(JointSearchOfKind, IsThatOfAllSubsets) {
+TEST_P(ConsensusSearchOfKind, IsThatOfAllSubsets) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (unsigned choice = 0; choice < 8; ++choice) {
@@ -173,7 +173,7 @@ TEST_P(JointSearchOfKind, IsThatOfAllSubsets) {
   EXPECT_GE(tally.below_total, decided / 3);  // there was something to prove
 }
 
-INSTANTIATE_TEST_SUITE_P(Problems, JointSearchOfKind,
+INSTANTIATE_TEST_SUITE_P(Problems, ConsensusSearchOfKind,
                          ::testing::Values(Kind::Loose, Kind::Planted, Kind::Mirrored,
                                            Kind::NearDuplicates));
 
@@ -189,7 +189,7 @@ SmallProblem mirrored_cloud(std::uint64_t seed, Index count, double bound) {
   return problem;
 }
 
-TEST(JointSearch, ProvesThatNoPoseHoldsAMirroredCliqueWhole) {
+TEST(ConsensusSearch, ProvesThatNoPoseHoldsAMirroredCliqueWhole) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const SmallProblem problem = mirrored_cloud(seed, 14, 0.02);
     ASSERT_EQ(problem.graph().num_edges(), 14 * 13 / 2);
@@ -199,27 +199,27 @@ TEST(JointSearch, ProvesThatNoPoseHoldsAMirroredCliqueWhole) {
   }
 }
 
-TEST(JointSearch, OfLooseBoundsHoldsAll) {
+TEST(ConsensusSearch, OfLooseBoundsHoldsAll) {
   const SmallProblem problem = mirrored_cloud(1, 14, 2);
   EXPECT_EQ(problem.search(0), 14);
   EXPECT_EQ(problem.search(14), 14);
 }
 
-TEST(JointSearch, NeedsNoHelpOfThePosesItOffers) {
+TEST(ConsensusSearch, NeedsNoHelpOfThePosesItOffers) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const SmallProblem problem = small_problem(seed, Kind::Loose, true, true, true);
     const auto truth = heaviest_by_enumeration(problem);
     if (!truth) continue;
     const BitsetGraph graph = problem.graph();
     const parallel::Deadline never = parallel::Deadline::never();
-    const auto refuse = [](const Similarity&) { return 0.0; };
-    JointSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
+    const auto refuse = [](const problem::CentredPose&) { return 0.0; };
+    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
     EXPECT_GE(search.run(0), *truth);
     EXPECT_LE(search.run(0), *truth + 1);
   }
 }
 
-TEST(JointSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
+TEST(ConsensusSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
   // what the graph excludes for other reasons stays excluded
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const SmallProblem problem = mirrored_cloud(seed, 16, 5);
@@ -231,13 +231,13 @@ TEST(JointSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
       }
     }
     const parallel::Deadline never = parallel::Deadline::never();
-    const auto refuse = [](const Similarity&) { return 0.0; };
-    JointSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
+    const auto refuse = [](const problem::CentredPose&) { return 0.0; };
+    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
     EXPECT_EQ(search.run(0), static_cast<double>(max_clique(graph, {}).vertices.size()));
   }
 }
 
-TEST(JointSearch, OffersAPoseThatHoldsThePlantedSet) {
+TEST(ConsensusSearch, OffersAPoseThatHoldsThePlantedSet) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const SmallProblem problem = small_problem(seed, Kind::Planted, true, true, true);
     const auto truth = heaviest_by_enumeration(problem);
@@ -245,15 +245,15 @@ TEST(JointSearch, OffersAPoseThatHoldsThePlantedSet) {
     const BitsetGraph graph = problem.graph();
     const parallel::Deadline never = parallel::Deadline::never();
     double best = 0;
-    const auto offer = [&](const Similarity& pose) {
-      return best = std::max(best, problem.weight_of(pose));
+    const auto offer = [&](const problem::CentredPose& pose) {
+      return best = std::max(best, problem.weight_of(pose.similarity));
     };
-    JointSearch(problem.arrays, graph, problem.weights, problem.scales, offer, never).run(0);
+    ConsensusSearch(problem.arrays, graph, problem.weights, problem.scales, offer, never).run(0);
     EXPECT_EQ(best, *truth);
   }
 }
 
-TEST(JointSearch, OfFewCorrespondencesIsTheCliqueNumber) {
+TEST(ConsensusSearch, OfFewCorrespondencesIsTheCliqueNumber) {
   for (const Index count : {0, 1, 2}) {
     EXPECT_EQ(mirrored_cloud(1, count, 0.02).search(0), count);
   }
@@ -261,7 +261,7 @@ TEST(JointSearch, OfFewCorrespondencesIsTheCliqueNumber) {
   EXPECT_EQ(mirrored_cloud(1, 3, 0.02).search(3), 3);
 }
 
-TEST(JointSearch, OfAGraphWithoutEdgesIsTheHeaviestVertex) {
+TEST(ConsensusSearch, OfAGraphWithoutEdgesIsTheHeaviestVertex) {
   SmallProblem problem = mirrored_cloud(1, 7, 0.01);
   for (Index i = 0; i < 7; ++i) {
     problem.arrays.target.row(i) *= static_cast<double>(10 * (i + 1));

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kScale = 2;
 
 /// Noisy correspondences at the scale kScale, each with its own bound.
-kernels::CorrespondenceArrays noisy_inliers(std::uint64_t seed, Index count, double offset = 0) {
+geometry::CorrespondenceArrays noisy_inliers(std::uint64_t seed, Index count, double offset = 0) {
   testing::RandomGeometry random(seed);
   Points source = random.in_cube(count);
   Points target = kScale * source;
@@ -30,7 +30,7 @@ kernels::CorrespondenceArrays noisy_inliers(std::uint64_t seed, Index count, dou
   return {source.transpose(), target.transpose(), bounds};
 }
 
-ScaleRange brute_force(const kernels::CorrespondenceArrays& c) {
+ScaleRange brute_force(const geometry::CorrespondenceArrays& c) {
   ScaleRange range{0, kInfinity};
   for (Index i = 0; i < c.size(); ++i) {
     for (Index j = 0; j < i; ++j) {
@@ -43,7 +43,7 @@ ScaleRange brute_force(const kernels::CorrespondenceArrays& c) {
   return range;
 }
 
-ScaleRange consistent(const kernels::CorrespondenceArrays& inliers, int num_threads = 1,
+ScaleRange consistent(const geometry::CorrespondenceArrays& inliers, int num_threads = 1,
                       const parallel::Deadline& deadline = parallel::Deadline::never()) {
   // offsets of the clouds are opposite; noise has mean near 0
   const Eigen::RowVector3d offset =

@@ -104,5 +104,17 @@ TEST(EvaluateUncertainty, RefusesAnIndexOutOfRange) {
   }
 }
 
+TEST(EvaluateConsensus, RefusesAPoseThatIsNone) {
+  const auto problem = testing::random_problem(2, 10, 0);
+  Similarity pose = problem.truth;
+  pose.scale = 0;
+  EXPECT_THROW(evaluate_consensus(pose, problem.source, problem.target, problem.options()),
+               std::invalid_argument);
+  pose.scale = std::nan("");
+  EXPECT_THROW(
+      evaluate_uncertainty(pose, problem.source, problem.target, {0, 1, 2}, problem.options()),
+      std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace gmcr::registration

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kManyBytes = std::size_t{1} << 30;
 
 struct Problem {
-  kernels::CorrespondenceArrays arrays;
+  geometry::CorrespondenceArrays arrays;
   ScaleBins bins{{0.05, 20}, 1.2};
   ScaleVotes votes;
 

@@ -1,5 +1,3 @@
-#include "search/scale_modes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -25,23 +23,6 @@ Options options_with_unknown_scale(const SyntheticProblem& problem) {
   options.noise_bound = problem.noise_bound;
   options.scale_mode = ScaleMode::Estimated;
   return options;
-}
-
-TEST(DefaultScaleRange, IsCentredOnTheRatioOfTheSizes) {
-  testing::RandomGeometry random(1);
-  const Points source = random.in_cube(50);
-  const problem::Correspondences c = problem::centre(source, 3 * source, Eigen::ArrayXd::Ones(50));
-  const ScaleRange range = default_scale_range(c);
-  EXPECT_NEAR(range.min * range.max, 9, 1e-9);
-  EXPECT_LT(range.min, 0.3);
-  EXPECT_GT(range.max, 30);
-}
-
-TEST(DefaultScaleRange, OfCoincidentPointsIsStillARange) {
-  const ScaleRange range =
-      default_scale_range({Points::Zero(3, 4), Points::Zero(3, 4), Eigen::ArrayXd::Ones(4)});
-  EXPECT_GT(range.min, 0);
-  EXPECT_LT(range.min, range.max);
 }
 
 TEST(ScaleSearch, FindsWhatNoVoteOverPairsCanSee) {

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t kManyBytes = std::size_t{1} << 30;
 
-ScaleVotes votes_of(const kernels::CorrespondenceArrays& arrays, const ScaleBins& bins,
+ScaleVotes votes_of(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
                     const RunWeights& weights, int num_threads = 1) {
   return count_scale_votes(arrays, bins, weights, kManyBytes, num_threads);
 }
 
-kernels::CorrespondenceArrays random_arrays(std::uint64_t seed, Index n, double bound) {
+geometry::CorrespondenceArrays random_arrays(std::uint64_t seed, Index n, double bound) {
   testing::RandomGeometry random(seed);
   problem::Correspondences c{random.in_cube(n), random.in_cube(n, 1.0),
                              Eigen::ArrayXd::Constant(n, bound)};
@@ -162,7 +162,7 @@ TEST(ScaleVotes, BoundByAllPairsWhereTimeIsUp) {
 }
 
 TEST(ScaleVotes, OfNoCorrespondencesAreNone) {
-  const kernels::CorrespondenceArrays arrays{Eigen::MatrixX3d(0, 3), Eigen::MatrixX3d(0, 3), {}};
+  const geometry::CorrespondenceArrays arrays{Eigen::MatrixX3d(0, 3), Eigen::MatrixX3d(0, 3), {}};
   const ScaleBins bins({1, 4}, 1.1);
   const ScaleVotes votes = votes_of(arrays, bins, RunWeights(0));
   EXPECT_EQ(votes.pairs, std::vector<Index>(static_cast<std::size_t>(bins.size())));

@@ -54,9 +54,9 @@ class synthetic::Random {
   std::mt19937_64 generator_{7};
 };
 
-kernels::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index count) {
-  kernels::CorrespondenceArrays arrays{random.points(count), random.points(count),
-                                       Eigen::ArrayXd::Constant(count, 0.01)};
+geometry::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index count) {
+  geometry::CorrespondenceArrays arrays{random.points(count), random.points(count),
+                                        Eigen::ArrayXd::Constant(count, 0.01)};
   for (Index i = 0; i < count; i += 3) {
     arrays.target.row(i) = arrays.source.row(i);
     arrays.target(i, 0) += random.uniform(-0.01, 0.01);
@@ -64,7 +64,7 @@ kernels::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index co
   return arrays;
 }
 
-void digest_consistency(const char* name, const kernels::CorrespondenceArrays& arrays,
+void digest_consistency(const char* name, const geometry::CorrespondenceArrays& arrays,
                         double scale_min, double scale_max) {
   Digest rows, tiles;
   std::vector<std::uint64_t> row(static_cast<std::size_t>((arrays.size() + 63) / 64));
@@ -81,7 +81,7 @@ void digest_consistency(const char* name, const kernels::CorrespondenceArrays& a
   tiles.print((std::string("consistency_tiles ") + name).c_str());
 }
 
-void digest_residuals(synthetic::Random& random, const kernels::CorrespondenceArrays& arrays) {
+void digest_residuals(synthetic::Random& random, const geometry::CorrespondenceArrays& arrays) {
   gmcr::Similarity pose;
   pose.scale = 1.01;
   pose.rotation << 2, -1, 2, 2, 2, -1, -1, 2, 2;
@@ -121,7 +121,7 @@ void digest_rotation(synthetic::Random& random, Index count) {
 }
 
 /// Bins whose edges need no logarithm: the last digit of that is a library's own.
-void digest_scales(const kernels::CorrespondenceArrays& arrays) {
+void digest_scales(const geometry::CorrespondenceArrays& arrays) {
   using kernels::ScaleCells;
   const auto cell_of = [](double scale) {
     return std::bit_cast<std::uint64_t>(scale) >> ScaleCells::kShift;

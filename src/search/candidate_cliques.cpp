@@ -1,15 +1,11 @@
-#include "search/incumbent.hpp"
+#include "search/candidate_cliques.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "clique/clique.hpp"
-#include "estimation/constrained_fit.hpp"
 #include "problem/consistency_graph.hpp"
-#include "refine/local_optimisation.hpp"
-#include "refine/pattern_search.hpp"
-#include "search/pose_from_clique.hpp"
 
 namespace gmcr::search {
 namespace {
@@ -61,13 +57,14 @@ std::vector<Index> by_descending(const std::vector<Index>& values) {
 /// those of largest degree.
 std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
                                               const std::vector<Index>& vertices) {
-  const problem::StageTimer timer(search.context(), "clique");
+  const StageTimer timer(search.run(), "clique");
   const BitsetGraph graph = clique::induced_subgraph(range.graph, vertices);
-  const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
+  const std::vector<double> all_weights =
+      weights_of(search.problem(), Measure::Evidence, range.scales);
   std::vector<double> weights;
   for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
   std::vector<std::vector<Index>> cliques{
-      search.context()
+      search.run()
           .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
           .vertices};
   const std::vector<Index> degree = clique::degrees_of(graph, 1);
@@ -86,110 +83,35 @@ std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGra
 
 }  // namespace
 
-PoseSearch::PoseSearch(problem::SolveContext& context, const problem::Objective& objective,
-                       const estimation::PoseConstraints& constraints,
-                       const problem::PairFilter& filter, std::vector<problem::Hypothesis> found)
-    : context_(context),
-      objective_(objective),
-      constraints_(constraints),
-      filter_(filter),
-      arrays_(problem::consistency_arrays(objective.correspondences(), constraints.scales.max)),
-      found_(std::move(found)) {}
-
-void PoseSearch::offer(const std::vector<Index>& clique) {
-  const problem::StageTimer timer(context_, "pose");
-  if (!examined_.insert(clique).second) return;
-  std::optional<problem::Hypothesis> pose =
-      pose_from_clique(context_, objective_, constraints_, clique, rival());
-  if (pose) consider(std::move(*pose));
-}
-
-void PoseSearch::offer(const Similarity& pose) {
-  const problem::StageTimer timer(context_, "pose");
-  ++context_.diagnostics().num_candidates;
-  const problem::Correspondences& c = objective_.correspondences();
-  problem::Hypothesis judged = objective_.judge(pose);
-  if (!constraints_.priors.admit_all()) {
-    const auto admitted =
-        estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, constraints_);
-    if (!admitted) return;
-    judged = objective_.judge(*admitted);
-  }
-  consider(std::move(judged));
-}
-
-refine::Rival PoseSearch::rival() const {
-  constexpr int kPatience = 5;
-  return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
-}
-
-void PoseSearch::consider(problem::Hypothesis pose) {
-  if (rival().is_near(pose.inliers)) ++num_in_vain_;
-  if (!reached_.insert(pose.inliers).second) return;
-  // a rival is measured by what it can reach, as the best so far was
-  problem::Hypothesis reached =
-      refine::reach_for_more(objective_, constraints_, std::move(pose), rival().evidence());
-  constexpr double kClose = 0.9;
-  if (reached.evidence > kClose * rival().evidence()) {
-    reached = refine::climb_by_motions(objective_, constraints_, std::move(reached));
-  }
-  for (const problem::Hypothesis& known : found_) {
-    if (problem::shares_most(known.inliers, reached.inliers)) return;
-  }
-  const std::vector<Index> members = filter_.one_to_one(reached.inliers);
-  max_inliers_ = std::max(max_inliers_, static_cast<double>(members.size()));
-  max_evidence_ =
-      std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
-  if (best_ && !problem::is_better(reached, *best_)) return;
-  best_ = std::move(reached);
-  num_in_vain_ = 0;
-}
-
-std::vector<Index> PoseSearch::near_best(double factor) const {
-  if (!best_) return {};
-  return objective_.within(best_->target_from_source, factor);
-}
-
-void PoseSearch::explain(const UpperBounds& bounds) {
-  for (const auto& [measure, sentences] : early_ends_) {
-    const double bound = measure == Measure::Inliers ? bounds.inliers : bounds.evidence;
-    if (!exceeds(bound, to_beat(measure))) continue;
-    for (const auto& [sentence, limit] : sentences) context_.limit({limit, sentence});
-  }
-}
-
-std::vector<double> PoseSearch::weights(Measure measure, const ScaleRange& scales) const {
-  std::vector<double> weights(static_cast<std::size_t>(arrays_.size()), 1.0);
+std::vector<double> weights_of(const problem::Problem& problem, Measure measure,
+                               const ScaleRange& scales) {
+  std::vector<double> weights(static_cast<std::size_t>(problem.size()), 1.0);
   if (measure == Measure::Inliers) return weights;
   // weights grow with the scale, so those at the end of the range bound the others
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    weights[i] = objective_.weight(static_cast<Index>(i), scales.max);
+    weights[i] = problem.objective().weight(static_cast<Index>(i), scales.max);
   }
   return weights;
 }
 
-void PoseSearch::filter_graph(BitsetGraph& graph, const ScaleRange& scales) const {
-  filter_.apply(graph, scales, context_.options().num_threads);
-  for (const problem::Hypothesis& known : found_) {
-    for (const Index i : known.inliers) isolate(graph, i);
-  }
-}
-
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
                              const std::function<BitsetGraph()>& build) {
-  const problem::StageTimer timer(search.context(), "graph");
-  ++search.context().diagnostics().num_scale_ranges;
+  const StageTimer timer(search.run(), "graph");
+  ++search.run().diagnostics().num_scale_ranges;
   RangeGraph range{scales, build()};
-  search.filter_graph(range.graph, scales);
+  search.problem().filter().apply(range.graph, scales, search.run().options().num_threads);
+  for (const problem::Hypothesis& known : search.left_out()) {
+    for (const Index i : known.inliers) isolate(range.graph, i);
+  }
   return range;
 }
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
   return build_range_graph(search, scales, [&] {
-    const problem::SolveContext& context = search.context();
-    const bool is_quick = search.arrays().size() <= kQuickGraph;
-    return problem::consistency_graph(search.arrays(), scales, context.options().num_threads,
-                                      is_quick ? parallel::Deadline::never() : context.deadline());
+    const problem::Run& run = search.run();
+    const bool is_quick = search.problem().arrays().size() <= kQuickGraph;
+    return problem::consistency_graph(search.problem().arrays(), scales, run.options().num_threads,
+                                      is_quick ? parallel::Deadline::never() : run.deadline());
   });
 }
 
@@ -198,11 +120,11 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   std::vector<Index> degree;
   std::vector<Index> order;
   {
-    const problem::StageTimer timer(search.context(), "clique");
-    degree = clique::degrees_of(range.graph, search.context().options().num_threads);
+    const StageTimer timer(search.run(), "clique");
+    degree = clique::degrees_of(range.graph, search.run().options().num_threads);
     order = by_descending(degree);
   }
-  const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
+  const std::vector<double> weights = weights_of(search.problem(), Measure::Evidence, range.scales);
   // what the best pose explains is left out: else all cliques would lead to it again
   std::vector<clique::Word> unexplained(static_cast<std::size_t>(range.graph.words_per_row()));
   std::vector<bool> covered;
@@ -214,7 +136,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   leave_out_explained();
   Index num_starts = 0, num_bounded = 0;
   for (const Index v : order) {
-    if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
+    if (num_starts == max_starts || (search.best() && search.run().stopped())) return;
     const double to_beat = search.to_beat(Measure::Evidence);
     if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
     if (covered[static_cast<std::size_t>(v)] || !clique::test_bit(unexplained.data(), v)) continue;
@@ -222,7 +144,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
     if (evidence_around(range.graph, weights, v) <= to_beat) continue;
     ++num_starts;
     const std::vector<Index> clique = [&] {
-      const problem::StageTimer timer(search.context(), "clique");
+      const StageTimer timer(search.run(), "clique");
       return clique::greedy_clique(range.graph, v, degree, kMaxCandidates, unexplained);
     }();
     double evidence = 0;
@@ -231,7 +153,7 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
       evidence += weights[static_cast<std::size_t>(u)];
     }
     if (evidence < kLeastPart * to_beat) continue;
-    search.offer(clique);
+    search.try_clique(clique);
     if (search.to_beat(Measure::Evidence) > to_beat) leave_out_explained();
   }
 }
@@ -242,8 +164,8 @@ void explore_around_best(PoseSearch& search, const RangeGraph& range) {
     const std::vector<Index> near = search.near_best(kNearby);
     if (static_cast<Index>(near.size()) > kMaxNearby) return;
     for (const std::vector<Index>& clique : cliques_among(search, range, near)) {
-      if (search.context().stopped()) return;
-      search.offer(clique);
+      if (search.run().stopped()) return;
+      search.try_clique(clique);
     }
   }
 }
@@ -252,13 +174,14 @@ double search_clique(PoseSearch& search, const RangeGraph& range, Measure measur
                      std::uint64_t max_nodes) {
   const double to_beat = search.to_beat(measure);
   const auto [vertices, upper_bound, proven] = [&] {
-    const problem::StageTimer timer(search.context(), "clique");
+    const StageTimer timer(search.run(), "clique");
     return measure == Measure::Inliers
-               ? search.context().max_clique(range.graph, static_cast<Index>(to_beat), max_nodes)
-               : search.context().max_weight_clique(
-                     range.graph, search.weights(measure, range.scales), to_beat, max_nodes);
+               ? search.run().max_clique(range.graph, static_cast<Index>(to_beat), max_nodes)
+               : search.run().max_weight_clique(range.graph,
+                                                weights_of(search.problem(), measure, range.scales),
+                                                to_beat, max_nodes);
   }();
-  if (!vertices.empty()) search.offer(vertices);
+  if (!vertices.empty()) search.try_clique(vertices);
   if (!proven) {
     search.note_early_end(
         measure,

@@ -1,0 +1,63 @@
+#include "registration/solve.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "paper/paper_method.hpp"
+#include "proof/tighten.hpp"
+#include "refine/least_squares.hpp"
+#include "registration/answer.hpp"
+#include "search/best_poses.hpp"
+
+namespace gmcr::registration {
+namespace {
+
+using problem::Found;
+using problem::Problem;
+using problem::Run;
+
+/// `Method::Gmcr`: the best pose (L5, L7), on request the proof that it is one, and other answers.
+Found find_by_search(const Problem& problem, Run& run) {
+  search::BestPoseSearch search(problem, run);
+  if (problem.options().certify) proof::tighten(search);
+  Found found = search.found();
+  if (search.poses().best()) {
+    search::add_alternatives(problem, run, *search.poses().best(), found);
+  }
+  return found;
+}
+
+/// Bounds on all inliers of a pose from those on sets of which no two share a point.
+///
+/// Let nu(S) be the size of a largest one-to-one subset of S. Adding a correspondence to S raises
+/// nu by at most 1, so |S| - nu(S) never falls as S grows: |S| <= nu(S) + |all| - nu(all), and any
+/// one-to-one subset of all has at most nu(all). Each of the others gives evidence of at most 1.
+void bound_all_inliers(Found& found, const Problem& problem) {
+  std::vector<Index> all(static_cast<std::size_t>(problem.size()));
+  std::iota(all.begin(), all.end(), Index{0});
+  const auto others = problem.size() - static_cast<Index>(problem.filter().one_to_one(all).size());
+  found.upper_bound = std::min(problem.size(), found.upper_bound + others);
+  found.evidence_upper_bound += static_cast<double>(others);
+}
+
+}  // namespace
+
+Found find(const Problem& problem, Run& run) {
+  if (problem.is_too_small()) {
+    return {{}, problem.size(), static_cast<double>(problem.size())};
+  }
+  Found found = problem.options().method == Method::Paper ? paper::solve(problem, run)
+                                                          : find_by_search(problem, run);
+  bound_all_inliers(found, problem);
+  return found;
+}
+
+Result solve(const PointsRef& source, const PointsRef& target, const Options& options) {
+  Run run(options);
+  const Problem problem(source, target, options, run);
+  Found found = find(problem, run);
+  if (options.least_squares) found = refine::fit_to_consensus(problem, std::move(found));
+  return answer(problem, found, run);
+}
+
+}  // namespace gmcr::registration

@@ -1,0 +1,76 @@
+#include "search/pose_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "estimation/constrained_fit.hpp"
+#include "refine/pattern_search.hpp"
+#include "search/pose_from_clique.hpp"
+
+namespace gmcr::search {
+
+PoseSearch::PoseSearch(const problem::Problem& problem, problem::Run& run,
+                       std::vector<problem::Hypothesis> left_out)
+    : problem_(problem), run_(run), left_out_(std::move(left_out)) {}
+
+void PoseSearch::try_clique(const std::vector<Index>& clique) {
+  const StageTimer timer(run_, "pose");
+  if (!examined_.insert(clique).second) return;
+  std::optional<problem::Hypothesis> pose = pose_from_clique(problem_, run_, clique, incumbent());
+  if (pose) keep(std::move(*pose));
+}
+
+void PoseSearch::try_pose(const problem::CentredPose& pose) {
+  const StageTimer timer(run_, "pose");
+  ++run_.diagnostics().num_candidates;
+  const problem::Correspondences& c = problem_.correspondences();
+  problem::Hypothesis judged = problem_.objective().judge(pose);
+  if (!problem_.constraints().priors.admit_all()) {
+    const auto admitted =
+        estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, problem_.constraints());
+    if (!admitted) return;
+    judged = problem_.objective().judge({*admitted});
+  }
+  keep(std::move(judged));
+}
+
+refine::Incumbent PoseSearch::incumbent() const {
+  constexpr int kPatience = 5;
+  return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
+}
+
+void PoseSearch::keep(problem::Hypothesis pose) {
+  if (incumbent().is_near(pose.inliers)) ++num_in_vain_;
+  if (!reached_.insert(pose.inliers).second) return;
+  // a challenger is measured by what it can hold, as the best so far was
+  problem::Hypothesis reached =
+      refine::hold_more(problem_, std::move(pose), incumbent().evidence());
+  constexpr double kClose = 0.9;
+  if (reached.evidence > kClose * incumbent().evidence()) {
+    reached = refine::climb_by_motions(problem_, std::move(reached));
+  }
+  for (const problem::Hypothesis& known : left_out_) {
+    if (problem::shares_most(known.inliers, reached.inliers)) return;
+  }
+  const std::vector<Index> members = problem_.filter().one_to_one(reached.inliers);
+  most_.inliers = std::max(most_.inliers, static_cast<double>(members.size()));
+  most_.evidence =
+      std::max(most_.evidence, problem_.objective().evidence_of(members, reached.pose.scale()));
+  if (best_ && !problem::is_better(reached, *best_)) return;
+  best_ = std::move(reached);
+  num_in_vain_ = 0;
+}
+
+std::vector<Index> PoseSearch::near_best(double factor) const {
+  if (!best_) return {};
+  return problem_.objective().within(best_->pose, factor);
+}
+
+void PoseSearch::report_early_ends(const PerMeasure& bounds) {
+  for (const auto& [measure, sentences] : early_ends_) {
+    if (!exceeds(bounds.of(measure), to_beat(measure))) continue;
+    for (const auto& [sentence, limit] : sentences) run_.limit({limit, sentence});
+  }
+}
+
+}  // namespace gmcr::search
