@@ -82,7 +82,7 @@ void add_noise(Report& report, const NoiseEstimate& estimate) {
 void add_certificate(Report& report, const Result& result, const Options& options) {
   const Certificate& certificate = result.certificate;
   const ScaleRange& scales = result.diagnostics.scale_range;
-  const std::string pose = options.priors.empty() ? "no pose" : "no pose that the priors admit";
+  const std::string pose = options.admit_all() ? "no pose" : "no pose that the priors admit";
   const std::string where =
       scales.min < scales.max
           ? fmt::format(", at scales from {:.4g} to {:.4g}", scales.min, scales.max)

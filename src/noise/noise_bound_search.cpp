@@ -80,7 +80,7 @@ std::optional<Similarity> find_pose(const problem::Problem& problem, problem::Ru
   if (found.poses.empty()) return std::nullopt;
   const auto pose = estimation::admitted_pose(
       problem::uncentre(found.poses.front(), problem.correspondences()).similarity,
-      problem.options().priors);
+      problem.options());
   if (!pose) return std::nullopt;
   const problem::CallerObjective count(problem.input(), Evidence::Count, 0);
   return count.judge({*pose}).num_inliers() < problem::kMinInliers ? std::nullopt : pose;
@@ -91,7 +91,7 @@ std::optional<Similarity> find_pose(const problem::Problem& problem, problem::Ru
 NoiseBoundSearch::NoiseBoundSearch(const PointsRef& source, const PointsRef& target,
                                    const Options& options)
     : options_(options),
-      deadline_(options.budget.time / 2, options.stop),
+      deadline_(options.time_limit / 2, options.stop),
       source_(source),
       target_(target),
       source_distances_(source_),
@@ -159,14 +159,13 @@ Options NoiseBoundSearch::cheap_options(double bound) const {
   Options cheap = options_;
   cheap.noise_mode = NoiseMode::Given;
   cheap.noise_bound = bound;
-  cheap.threshold = 1;
   cheap.least_squares = false;
   cheap.num_hypotheses = 1;
   cheap.certify = false;
   cheap.clique_solver = clique_solver_;
   cheap.progress = nullptr;
   const double steps_left = std::max(1.0, num_steps_ - static_cast<double>(trials_.size()));
-  cheap.budget.time = std::max(deadline_.remaining() / steps_left, parallel::kLeastSeconds);
+  cheap.time_limit = std::max(deadline_.remaining() / steps_left, parallel::kLeastSeconds);
   return cheap;
 }
 
@@ -229,10 +228,10 @@ double NoiseBoundSearch::chosen_bound() const {
 }
 
 NoiseEstimate NoiseBoundSearch::estimate() const {
-  const double noise_bound = chosen_bound() * options_.threshold;
+  const double noise_bound = chosen_bound();
   if (!choice_) return {noise_bound, noise_bound, noise_bound, 0};
   const auto [lowest, highest] = stable_bounds();
-  return {noise_bound, lowest * options_.threshold, highest * options_.threshold, choice_->log10};
+  return {noise_bound, lowest, highest, choice_->log10};
 }
 
 /// Whether a pose moves the consensus set of the best one by less than its bound, on average.

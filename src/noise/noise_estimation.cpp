@@ -28,7 +28,7 @@ std::vector<Index> distinct_correspondences(const PointsRef& source, const Point
 ChosenNoise choose_noise(const PointsRef& source, const PointsRef& target, const Options& options) {
   const std::vector<Index> distinct = distinct_correspondences(source, target);
   if (distinct.size() < 3) return {};
-  if (options.priors.empty()) {
+  if (options.admit_all()) {
     // before any work; priors may leave fewer
     problem::Run(options).require_memory_for_graph(source.cols());
   }

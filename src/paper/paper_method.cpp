@@ -35,8 +35,8 @@ struct Pruned {
 void require_memory_for_tims(const Run& run, Index num_correspondences) {
   const auto n = static_cast<std::size_t>(num_correspondences);
   const std::size_t bytes = n * (n - 1) / 2 * kBytesPerTim;
-  if (bytes <= run.options().budget.memory) return;
-  throw std::invalid_argument("budget.memory: " + std::to_string(run.options().budget.memory) +
+  if (bytes <= run.options().memory_limit) return;
+  throw InvalidOption("memory_limit", std::to_string(run.options().memory_limit) +
                               " bytes, but the scale stage of " +
                               std::to_string(num_correspondences) + " correspondences takes " +
                               std::to_string(bytes));
@@ -89,7 +89,7 @@ std::optional<Pruned> prune_by_consistency(const Problem& problem, Run& run) {
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
 Tims within_memory(Run& run, Tims tims) {
   Index count = tims.size();
-  const std::size_t budget = run.options().budget.memory;
+  const std::size_t budget = run.options().memory_limit;
   const std::size_t taken = std::min(budget / 2, static_cast<std::size_t>(count) * kBytesPerTim);
   while (BitsetGraph::bytes_required(count) > budget - taken) {
     count -= count / 16 + 1;
@@ -153,7 +153,7 @@ problem::Found solve(const Problem& problem, Run& run) {
     run.limit({Limit::CliqueSearch,
                "the clique search of a rotation or translation graph ended before its proof"});
   }
-  if (problem.constraints().priors.empty()) {
+  if (problem.constraints().priors.admit_all()) {
     found.poses = {{{pruned->scale, rotation->rotation, translation.translation}}};
   } else {
     // the stages know of the priors what single pairs say; the pose has to satisfy them

@@ -46,7 +46,7 @@ struct ScaleMeasurements {
 };
 
 /// Deviation: Eq. (11) multiplies alpha_k by the threshold c where the objective that it comes
-/// from, Eq. (10), divides by c. The bounds here are divided by c already.
+/// from, Eq. (10), divides by c. Here c = 1.
 ScaleMeasurements measure_scales(const Tims& tims);
 
 }  // namespace gmcr::paper

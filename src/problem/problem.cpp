@@ -16,7 +16,7 @@ std::vector<Index> admitted_correspondences(const Correspondences& all, const Pr
                                             const ScaleRange& scales) {
   std::vector<Index> admitted(static_cast<std::size_t>(all.size()));
   std::iota(admitted.begin(), admitted.end(), Index{0});
-  if (priors.empty()) return admitted;
+  if (priors.admit_all()) return admitted;
   const PairFilter filter(all, priors, false, scales);
   std::erase_if(admitted, [&](Index i) { return !filter.admits(i, scales); });
   return admitted;
@@ -36,7 +36,7 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
   correspondences_ = centre(source, target, input_.bounds);
   const ScaleRange scales = scales_to_search(options, correspondences_);
   const std::vector<Index> used =
-      admitted_correspondences(correspondences_, options.priors, scales);
+      admitted_correspondences(correspondences_, options, scales);
   diagnostics.scale_range = scales;
   diagnostics.num_used = size_ = static_cast<Index>(used.size());
   if (is_too_small()) return;
@@ -45,15 +45,15 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
     correspondences_ =
         centre(source(Eigen::all, used), target(Eigen::all, used), input_.bounds(used));
   }
-  constraints_ = {scales, options.priors, correspondences_.source_origin,
+  constraints_ = {scales, options, correspondences_.source_origin,
                   correspondences_.target_origin};
   {
     const StageTimer timer(run, "evidence");
-    objective_.emplace(correspondences_, options.evidence, options.budget.memory / 4, scales,
+    objective_.emplace(correspondences_, options.evidence, options.memory_limit / 4, scales,
                        octaves_);
   }
   if (!objective_->weights_complete()) run.limit(weights_incomplete());
-  filter_.emplace(correspondences_, options.priors, options.one_to_one, scales);
+  filter_.emplace(correspondences_, options, options.one_to_one, scales);
   arrays_ = consistency_arrays(correspondences_, scales.max);
 }
 

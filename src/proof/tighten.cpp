@@ -40,7 +40,7 @@ double tighten(PoseSearch& poses, const RangeGraph& range, Measure measure, doub
   }
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
-  if (kCopies * BitsetGraph::bytes_required(poses.problem().size()) > run.options().budget.memory) {
+  if (kCopies * BitsetGraph::bytes_required(poses.problem().size()) > run.options().memory_limit) {
     run.limit({Limit::Memory, "the memory budget leaves no room to tighten the bounds"});
     return upper_bound;
   }

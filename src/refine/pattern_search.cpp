@@ -114,7 +114,7 @@ class PatternSearch {
 
 problem::Hypothesis climb_by_motions(const problem::Problem& problem, problem::Hypothesis best) {
   constexpr double kNear = 1.6;
-  if (best.num_inliers() < problem::kMinInliers || !problem.constraints().priors.empty())
+  if (best.num_inliers() < problem::kMinInliers || !problem.constraints().priors.admit_all())
     return best;
   const NearSet near(problem, best.pose, kNear);
   problem::Hypothesis next = problem.objective().judge(PatternSearch(near, best).run());

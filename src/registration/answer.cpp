@@ -24,7 +24,7 @@ std::vector<problem::CallerPose> admitted_poses(const Problem& problem, const Fo
   std::vector<problem::CallerPose> poses;
   for (const problem::CentredPose& centred : found.poses) {
     const auto admitted = estimation::admitted_pose(
-        problem::uncentre(centred, problem.correspondences()).similarity, problem.options().priors);
+        problem::uncentre(centred, problem.correspondences()).similarity, problem.options());
     if (admitted) poses.push_back({*admitted});
   }
   return poses;
@@ -91,7 +91,7 @@ std::string no_pose_reason(const Problem& problem, const Run& run) {
   if (!run.diagnostics().limits_hit.empty()) {
     return "no pose was found before a limit ended the search";
   }
-  return problem.options().priors.empty()
+  return problem.options().admit_all()
              ? "no three correspondences agree on a pose"
              : "no three correspondences agree on a pose that the priors admit, as far as was "
                "found";
@@ -107,7 +107,7 @@ Result judged_answer(const Problem& problem, const Found& found, Run& run) {
   const Options& options = problem.options();
   const bool all_used = problem.size() == problem.input().size();
   const CallerObjective on_input(problem.input(), all_used ? Evidence::Count : options.evidence,
-                                 options.budget.memory / 4, problem::DistinctEvidence::kAllScales,
+                                 options.memory_limit / 4, problem::DistinctEvidence::kAllScales,
                                  problem.octaves());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
@@ -128,7 +128,7 @@ Result judged_answer(const Problem& problem, const Found& found, Run& run) {
   result.evidence = best.evidence;
   result.status_reason =
       degeneracy_reason(problem.input().source, best.pose.similarity, best.inliers,
-                        problem.input().bounds(best.inliers).maxCoeff(), options.priors);
+                        problem.input().bounds(best.inliers).maxCoeff(), options);
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
   result.alternatives = distinct_alternatives(std::move(judged));
   describe_uncertainty(result, problem, run);

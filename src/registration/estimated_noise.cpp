@@ -23,7 +23,7 @@ Options with_bound(const Options& options, double noise_bound) {
 Options remaining_options(const Options& options, const noise::ChosenNoise& chosen,
                           const parallel::Deadline& deadline) {
   Options remaining = with_bound(options, chosen.estimate->noise_bound);
-  remaining.budget.time = std::max(deadline.remaining(), parallel::kLeastSeconds);
+  remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
   if (chosen.cancelled) remaining.progress = [](const Progress&) { return false; };
   return remaining;
 }
@@ -52,7 +52,7 @@ Result with_noise_bound(const PointsRef& source, const PointsRef& target, const 
                         const Solve& solve) {
   if (options.noise_mode == NoiseMode::Given) return solve(source, target, options);
   if (source.cols() < 3) return solve(source, target, with_bound(options, 1));
-  const parallel::Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   const noise::ChosenNoise chosen = noise::choose_noise(source, target, options);
   const bool stands_out = chosen.estimate && chosen.estimate->log10_false_alarms < 0;
   Result result = stands_out ? solve(source, target, remaining_options(options, chosen, deadline))

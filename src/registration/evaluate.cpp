@@ -17,7 +17,7 @@ namespace {
 /// A given pose is judged by a given bound.
 void require_given_noise(const Options& options) {
   if (options.noise_mode == NoiseMode::Given) return;
-  throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
+  throw InvalidOption("noise_mode", "is 'estimated', but a given pose needs a noise bound");
 }
 
 /// @throws std::invalid_argument where a pose is none.
@@ -47,7 +47,7 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   require_pose(target_from_source);
   const problem::CallerCorrespondences input{source, target,
                                              problem::inlier_bounds(options, source.cols())};
-  const problem::CallerObjective objective(input, options.evidence, options.budget.memory / 4,
+  const problem::CallerObjective objective(input, options.evidence, options.memory_limit / 4,
                                            problem::DistinctEvidence::kAllScales,
                                            problem::octaves_of(options, source, target));
   const problem::CallerHypothesis judged = objective.judge({target_from_source});
@@ -69,12 +69,11 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
                                              problem::inlier_bounds(options, source.cols())};
   Uncertainty uncertainty =
       registration::measure_uncertainty({target_from_source}, input, inliers, options,
-                                        parallel::Deadline(options.budget.time, options.stop));
-  const bool determined =
-      uncertainty.covariance &&
-      registration::degeneracy_reason(source, target_from_source, inliers,
-                                      input.bounds(inliers).maxCoeff(), options.priors)
-          .empty();
+                                        parallel::Deadline(options.time_limit, options.stop));
+  const bool determined = uncertainty.covariance &&
+                          registration::degeneracy_reason(source, target_from_source, inliers,
+                                                          input.bounds(inliers).maxCoeff(), options)
+                              .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;
 }
@@ -91,7 +90,7 @@ BitsetGraph consistency_graph(const PointsRef& source, const PointsRef& target,
   const ScaleRange scales = problem::scales_to_search(options, centred);
   BitsetGraph graph = problem::consistency_graph(problem::consistency_arrays(centred, scales.max),
                                                  scales, options.num_threads);
-  const problem::PairFilter filter(centred, options.priors, options.one_to_one, scales);
+  const problem::PairFilter filter(centred, options, options.one_to_one, scales);
   filter.apply(graph, scales, options.num_threads);
   std::vector<Index> admitted;
   for (Index i = 0; i < graph.num_vertices(); ++i) {

@@ -61,7 +61,7 @@ std::optional<problem::CentredPose> staged_pose(const problem::Problem& problem,
       paper::translation_consensus(run, c, paper::touched_correspondences(tims, rotation->tims),
                                    pose.scale, pose.rotation, kMaxCliqueNodes);
   pose.translation = translation.translation;
-  if (problem.constraints().priors.empty()) return problem::CentredPose{pose};
+  if (problem.constraints().priors.admit_all()) return problem::CentredPose{pose};
   const auto fit = estimation::fit_pose(c.source, c.target, c.bounds, translation.correspondences,
                                         estimation::at_scale(problem.constraints(), pose.scale));
   if (!fit) return std::nullopt;

@@ -25,7 +25,7 @@ void PoseSearch::try_pose(const problem::CentredPose& pose) {
   ++run_.diagnostics().num_candidates;
   const problem::Correspondences& c = problem_.correspondences();
   problem::Hypothesis judged = problem_.objective().judge(pose);
-  if (!problem_.constraints().priors.empty()) {
+  if (!problem_.constraints().priors.admit_all()) {
     const auto admitted =
         estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, problem_.constraints());
     if (!admitted) return;

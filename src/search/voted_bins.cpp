@@ -11,7 +11,7 @@ constexpr Index kFew = 8;  // graphs that take no longer from all pairs than lis
 constexpr std::size_t kMaxBytes = std::size_t{1} << 27;  // of lists of pairs, and of tables
 
 std::size_t max_bytes(PoseSearch& search) {
-  return std::min(kMaxBytes, search.run().options().budget.memory / 4);
+  return std::min(kMaxBytes, search.run().options().memory_limit / 4);
 }
 
 ScaleVotes count_votes(PoseSearch& search, const ScaleBins& bins) {

@@ -61,7 +61,7 @@ TEST(ClimbByMotions, LeavesAPoseAloneThatPriorsBindOrTooFewInliersMake) {
   const auto matches = noisy(2);
   Options options = options_with(Evidence::Count);
   const BuiltProblem free(matches, options);
-  options.priors.max_translation = 100;
+  options.max_translation = 100;
   const BuiltProblem bound(matches, options);
   const problem::Hypothesis fit = *optimise_locally(bound.problem, bound.centred(matches.truth));
   EXPECT_EQ(climb_by_motions(bound.problem, fit).pose.similarity.matrix(),
