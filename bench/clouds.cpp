@@ -36,7 +36,7 @@ struct Settings {
 };
 
 /// A pair as the tool gets to see it.
-struct Pair {
+struct paper::Pair {
   std::string set;
   std::string name;
   std::filesystem::path source_path;
@@ -80,7 +80,7 @@ std::string quoted(const std::string& word) {
 
 Output run_command(const std::vector<std::string>& words) {
   std::string command;
-  for (const std::string& word : words) command += quoted(word) + " ";
+  for (const std::string& word : words) command += io::quoted(word) + " ";
   const auto start = std::chrono::steady_clock::now();
   std::FILE* pipe = popen((command + "2>/dev/null").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot start " + words.front());
@@ -102,8 +102,8 @@ bool is_nearly_at_rest(const Similarity& truth) {
          truth.translation.norm() < 0.1;
 }
 
-Pair load(const std::filesystem::path& folder, const std::filesystem::path& scratch) {
-  Pair pair;
+paper::Pair load(const std::filesystem::path& folder, const std::filesystem::path& scratch) {
+  paper::Pair pair;
   pair.set = folder.parent_path().filename().string();
   pair.name = folder.filename().string();
   pair.source_path = folder / "source.ply";
@@ -136,7 +136,7 @@ Similarity parse_transform(const Json& rows) {
 }
 
 /// Adds the errors of the pose that the tool gave.
-void judge(Json& record, const Json& answer, const Pair& pair) {
+void judge(Json& record, const Json& answer, const paper::Pair& pair) {
   record["success"] = false;
   if (!answer.contains("target_from_source") || answer["target_from_source"].is_null()) return;
   const double extent =
@@ -151,7 +151,7 @@ void judge(Json& record, const Json& answer, const Pair& pair) {
   record["errors"] = errors;
 }
 
-Json run_pair(const Settings& settings, const Pair& pair, const std::string& refinement) {
+Json run_pair(const Settings& settings, const paper::Pair& pair, const std::string& refinement) {
   std::vector<std::string> words{
       settings.tool, "register", pair.source_path.string(), pair.target_path.string(), "--json",
       "--refine",    refinement};
@@ -180,7 +180,7 @@ Json run_pair(const Settings& settings, const Pair& pair, const std::string& ref
   for (const auto& [key, value] : answer.items()) {
     if (key != "inliers" && !record.contains(key)) record[key] = value;
   }
-  judge(record, answer, pair);
+  frontend::judge(record, answer, pair);
   return record;
 }
 
@@ -210,7 +210,7 @@ void run(const Settings& settings) {
   const TemporaryFolder scratch;
   Records records(settings.out, "clouds", folders.size() * settings.refinements.size());
   for (const auto& folder : folders) {
-    const Pair pair = load(folder, scratch.path());
+    const paper::Pair pair = load(folder, scratch.path());
     for (const std::string& refinement : settings.refinements) {
       const Json record = run_pair(settings, pair, refinement);
       records.write(std::vector<Json>(1, record), summary(record));

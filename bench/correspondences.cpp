@@ -100,7 +100,7 @@ Json run_one(const Settings& settings, const Case& item, const Problem& problem,
                  {"seed", seed}};
   record.update(solve(problem, options, method, settings.limits, settings.repetitions));
   if (problem.gravity) record["true_tilt_deg"] = true_tilt_deg(problem);
-  judge(record, succeeded(record, item));
+  frontend::judge(record, succeeded(record, item));
   return record;
 }
 

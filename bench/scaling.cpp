@@ -97,7 +97,7 @@ Json run_one(const Settings& settings, const Case& item, std::uint64_t seed,
                  {"seed", seed}};
   record.update(solve({drawn.source, drawn.target, drawn.target_from_source, drawn.noise_bound},
                       options, method, settings.limits, 1));
-  judge(record, succeeded(record));
+  frontend::judge(record, succeeded(record));
   return record;
 }
 

@@ -12,6 +12,25 @@ function(gmcr_target_defaults target)
   endif()
 endfunction()
 
+# gmcr_module(NAME SOURCES files... [LINK modules...]): a folder of the core as a library of its own, gmcr_NAME. With
+# the tests all of it is linked against the modules named here and nothing else: what is not named is not found.
+function(gmcr_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  set(target gmcr_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  gmcr_target_defaults(${target})
+  target_include_directories(${target}
+    PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+  list(TRANSFORM arg_LINK PREPEND gmcr_)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen ${arg_LINK})
+  set_property(GLOBAL APPEND PROPERTY GMCR_MODULES ${name})
+  if(GMCR_BUILD_TESTS)
+    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/layer.cpp CONTENT "")
+    add_library(${target}_layer MODULE ${CMAKE_CURRENT_BINARY_DIR}/layer.cpp)
+    target_link_libraries(${target}_layer PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,${target}> -Wl,-z,defs)
+  endif()
+endfunction()
+
 # gmcr_library(NAME [PUBLIC libs...] [PRIVATE libs...]): target gmcr_NAME, or gmcr for the core, alias gmcr::NAME.
 function(gmcr_library name)
   cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})

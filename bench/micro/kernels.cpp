@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "consensus/consistency_graph.hpp"
-#include "consensus/rotation_graph.hpp"
 #include "kernels/bit_row.hpp"
 #include "kernels/consistency_tiles.hpp"
 #include "kernels/forced_isa.hpp"
 #include "kernels/residuals.hpp"
 #include "micro/themes.hpp"
+#include "paper/rotation_consensus.hpp"
+#include "problem/consistency_graph.hpp"
 
 namespace gmcr::bench {
 namespace {
@@ -29,7 +29,7 @@ namespace {
 constexpr Index kCount = 4096;  // whole blocks; all arrays fit the L2 cache
 
 const kernels::CorrespondenceArrays& arrays() {
-  static const auto result = consistency_arrays(random_correspondences(kCount, 0.95), 1);
+  static const auto result = problem::consistency_arrays(random_correspondences(kCount, 0.95), 1);
   return result;
 }
 

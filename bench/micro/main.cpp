@@ -4,14 +4,14 @@
 
 namespace gmcr::bench {
 
-Correspondences random_correspondences(Index count, double rate) {
+problem::Correspondences random_correspondences(Index count, double rate) {
   SyntheticOptions options;
   options.num_correspondences = count;
   options.outlier_rate = rate;
   options.seed = 1;
   const SyntheticProblem problem = make_synthetic(options);
-  return centre(problem.source, problem.target,
-                Eigen::ArrayXd::Constant(count, problem.noise_bound));
+  return problem::centre(problem.source, problem.target,
+                         Eigen::ArrayXd::Constant(count, problem.noise_bound));
 }
 
 }  // namespace gmcr::bench

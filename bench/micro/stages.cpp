@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "clique/degeneracy.hpp"
-#include "consensus/consistency_graph.hpp"
-#include "consensus/mirror.hpp"
+#include "clique/graph/degeneracy.hpp"
 #include "gmcr/registration.hpp"
 #include "micro/themes.hpp"
-#include "registration/objective.hpp"
+#include "problem/consistency_graph.hpp"
+#include "problem/objective.hpp"
+#include "problem/symmetric_blocks.hpp"
 
 namespace gmcr::bench {
 namespace {
 
 constexpr double kRate = 0.95;  // of outliers
 
-BitsetGraph graph_of(const Correspondences& correspondences) {
-  return consistency_graph(consistency_arrays(correspondences, 1), {1, 1}, 1);
+BitsetGraph graph_of(const problem::Correspondences& correspondences) {
+  return problem::consistency_graph(problem::consistency_arrays(correspondences, 1), {1, 1}, 1);
 }
 
 double pairs_of(Index count) { return 0.5 * static_cast<double>(count * (count - 1)); }
@@ -27,15 +27,15 @@ double bytes_of(const BitsetGraph& graph) {
 }
 
 void time_graph(benchmark::State& state, double scale_min) {
-  const auto arrays = consistency_arrays(random_correspondences(state.range(0), kRate), 1);
+  const auto arrays = problem::consistency_arrays(random_correspondences(state.range(0), kRate), 1);
   BitsetGraph graph;
-  for (auto _ : state) graph = consistency_graph(arrays, {scale_min, 1}, 1);
+  for (auto _ : state) graph = problem::consistency_graph(arrays, {scale_min, 1}, 1);
   count_pairs(state, pairs_of(state.range(0)), bytes_of(graph));
 }
 
 void time_mirror(benchmark::State& state) {
   BitsetGraph graph = graph_of(random_correspondences(state.range(0), kRate));
-  for (auto _ : state) mirror_upper_blocks(graph, 1);
+  for (auto _ : state) problem::mirror_upper_blocks(graph, 1);
   count_pairs(state, pairs_of(state.range(0)), bytes_of(graph));
 }
 
@@ -51,32 +51,32 @@ void time_max_clique(benchmark::State& state) {
 }
 
 void time_max_weight_clique(benchmark::State& state) {
-  const Correspondences correspondences = random_correspondences(state.range(0), kRate);
+  const problem::Correspondences correspondences = random_correspondences(state.range(0), kRate);
   const BitsetGraph graph = graph_of(correspondences);
-  const Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
+  const problem::Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
   std::vector<double> weights;
   for (Index i = 0; i < correspondences.size(); ++i) weights.push_back(objective.weight(i, 1));
   for (auto _ : state) benchmark::DoNotOptimize(max_weight_clique(graph, weights).vertices.data());
 }
 
 void time_evidence(benchmark::State& state) {
-  const Correspondences correspondences = random_correspondences(state.range(0), kRate);
+  const problem::Correspondences correspondences = random_correspondences(state.range(0), kRate);
   for (auto _ : state) {
-    const Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
+    const problem::Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
     benchmark::DoNotOptimize(objective.is_weighted());
   }
 }
 
 void time_judge(benchmark::State& state) {
-  const Correspondences correspondences = random_correspondences(state.range(0), kRate);
-  const Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
+  const problem::Correspondences correspondences = random_correspondences(state.range(0), kRate);
+  const problem::Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
   for (auto _ : state) benchmark::DoNotOptimize(objective.judge(Similarity()).evidence);
   count_pairs(state, static_cast<double>(state.range(0)),
               56.0 * static_cast<double>(state.range(0)));
 }
 
 void time_solve(benchmark::State& state, ScaleMode scale_mode) {
-  const Correspondences correspondences = random_correspondences(state.range(0), kRate);
+  const problem::Correspondences correspondences = random_correspondences(state.range(0), kRate);
   Options options;
   options.noise_bound = correspondences.bounds[0];
   options.scale_mode = scale_mode;

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "invariants/correspondences.hpp"
+#include "problem/correspondences.hpp"
 
 namespace gmcr::bench {
 
@@ -11,7 +11,7 @@ void register_kernels();
 void register_stages();
 
 /// Correspondences of `rate` outliers, noise bound 0.01 m, in a cube of 1 m.
-Correspondences random_correspondences(Index count, double rate);
+problem::Correspondences random_correspondences(Index count, double rate);
 
 /// Counters of a benchmark that treats `pairs` pairs an iteration, writing or reading `bytes`.
 inline void count_pairs(benchmark::State& state, double pairs, double bytes) {

@@ -95,7 +95,7 @@ Json solve(const Problem& problem, Options options, const NamedMethod& method, T
     options.budget.time = options.certify ? limits.certify : limits.solve;
     record["time_limit"] = options.budget.time;
     const Result result = time_solves(problem, options, options.certify ? 1 : repetitions, record);
-    record.update(describe(result));
+    record.update(frontend::describe(result));
     const Consensus truth = consensus_of_truth(problem, options, result);
     record["truth_inliers"] = truth.inliers.size();
     record["truth_evidence"] = truth.evidence;

@@ -11,19 +11,20 @@
 namespace gmcr::python {
 namespace {
 
-Features fpfh(const PointsRef& points, const FrontendOptions& frontend, double unit,
-              int num_threads) {
+frontend::Features fpfh(const PointsRef& points, const FrontendOptions& frontend, double unit,
+                        int num_threads) {
   frontend.validate();
   if (!points.allFinite()) throw std::invalid_argument("points: not all are finite");
   const auto neighbourhoods =
-      find_neighbourhoods(points, frontend.feature_radius * unit, num_threads);
-  const Points normals =
-      estimate_normals(points, neighbourhoods, frontend.normal_radius * unit, num_threads);
-  return compute_fpfh(points,
-                      frontend.orientation == NormalOrientation::Outward
-                          ? orient_outward(points, normals)
-                          : orient_toward(points, normals, frontend.source_viewpoint),
-                      neighbourhoods, num_threads);
+      frontend::find_neighbourhoods(points, frontend.feature_radius * unit, num_threads);
+  const Points normals = frontend::estimate_normals(points, neighbourhoods,
+                                                    frontend.normal_radius * unit, num_threads);
+  return frontend::compute_fpfh(
+      points,
+      frontend.orientation == NormalOrientation::Outward
+          ? frontend::orient_outward(points, normals)
+          : frontend::orient_toward(points, normals, frontend.source_viewpoint),
+      neighbourhoods, num_threads);
 }
 
 std::string describe(const CloudResult& result) {
@@ -115,7 +116,7 @@ void bind_clouds(nb::module_& module) {
       [](const PointsArray& points, double voxel_size) {
         const Points means = [&] {
           const nb::gil_scoped_release no_gil;
-          return voxel_grid(points_of(points), voxel_size);
+          return frontend::voxel_grid(points_of(points), voxel_size);
         }();
         return copy(means.data(), {static_cast<std::size_t>(means.cols()), 3});
       },
@@ -125,11 +126,12 @@ void bind_clouds(nb::module_& module) {
       "fpfh",
       [](const PointsArray& points, const FrontendOptions& frontend, double voxel_size,
          int num_threads) {
-        const Features features = [&] {
+        const frontend::Features features = [&] {
           const nb::gil_scoped_release no_gil;
           return fpfh(points_of(points), frontend, voxel_size, num_threads);
         }();
-        return copy(features.data(), {static_cast<std::size_t>(features.cols()), kFpfhBins});
+        return copy(features.data(),
+                    {static_cast<std::size_t>(features.cols()), frontend::kFpfhBins});
       },
       nb::sig("def fpfh(points: numpy.typing.NDArray[numpy.float64], frontend: FrontendOptions, "
               "voxel_size: float, "

@@ -20,7 +20,7 @@ NB_MODULE(_gmcr, module) {
   module.def("instruction_sets", &supported_isas,
              "Instruction sets that the library was built for and this machine has, best first.");
   module.def(
-      "hardware_threads", [] { return resolve_num_threads(0); },
+      "hardware_threads", [] { return parallel::resolve_num_threads(0); },
       "Threads that num_threads=0 stands for: every core that this process may use.");
   python::bind_similarity(module);
   python::bind_options(module);

@@ -1,10 +1,10 @@
 #include "gmcr/registration.hpp"
 
 #include "bindings.hpp"
-#include "consensus/consistency_graph.hpp"
-#include "consensus/pair_filter.hpp"
 #include "interruptible.hpp"
-#include "registration/input.hpp"
+#include "problem/consistency_graph.hpp"
+#include "problem/input.hpp"
+#include "problem/pair_filter.hpp"
 
 namespace gmcr::python {
 namespace {
@@ -23,8 +23,9 @@ nb::object dense(const BitsetGraph& graph, const std::vector<bool>& is_vertex) {
 }
 
 nb::object graph_of(const PointsArray& source, const PointsArray& target, const Options& options) {
-  validate_input(points_of(source), points_of(target), options);
-  const Correspondences input = correspondences_of(points_of(source), points_of(target), options);
+  problem::validate_input(points_of(source), points_of(target), options);
+  const problem::Correspondences input =
+      problem::correspondences_of(points_of(source), points_of(target), options);
   const ScaleRange scales = options.scale_mode == ScaleMode::Known
                                 ? ScaleRange{options.scale, options.scale}
                                 : options.scale_range.value_or(ScaleRange{0, 0});
@@ -33,10 +34,11 @@ nb::object graph_of(const PointsArray& source, const PointsArray& target, const 
   }
   std::vector<bool> is_admitted(static_cast<std::size_t>(input.size()));
   const BitsetGraph graph = interruptible(options, [&](const Options& watched) {
-    const Correspondences centred = centre(input.source, input.target, input.bounds);
-    BitsetGraph edges =
-        consistency_graph(consistency_arrays(centred, scales.max), scales, watched.num_threads);
-    const PairFilter filter(centred, options.priors, options.one_to_one, scales);
+    const problem::Correspondences centred =
+        problem::centre(input.source, input.target, input.bounds);
+    BitsetGraph edges = problem::consistency_graph(problem::consistency_arrays(centred, scales.max),
+                                                   scales, watched.num_threads);
+    const problem::PairFilter filter(centred, options.priors, options.one_to_one, scales);
     filter.apply(edges, scales, watched.num_threads);
     for (Index i = 0; i < input.size(); ++i) is_admitted[i] = filter.admits(i, scales);
     return edges;

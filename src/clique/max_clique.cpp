@@ -2,11 +2,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "clique/core_filter.hpp"
+#include "clique/graph/core_filter.hpp"
+#include "clique/graph/degrees.hpp"
 #include "clique/survivor_search.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 constexpr Index kNumFirstStarts = 4;
@@ -40,7 +41,7 @@ class Solver {
   Solver(const BitsetGraph& graph, const CliqueOptions& options)
       : graph_(graph),
         incumbent_(checked_clique(graph, options.initial_clique), options.must_exceed),
-        budget_(Deadline(options.time_limit, options.stop), options.max_nodes),
+        budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes),
         must_exceed_(options.must_exceed),
         upper_bound_(graph.num_vertices()),
         num_threads_(options.num_threads),
@@ -121,10 +122,13 @@ class Solver {
 };
 
 }  // namespace
+}  // namespace gmcr::clique
+
+namespace gmcr {
 
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options) {
   options.validate();
-  return Solver(graph, options).solve();
+  return clique::Solver(graph, options).solve();
 }
 
 }  // namespace gmcr

@@ -3,11 +3,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "clique/weighted_greedy.hpp"
-#include "clique/weighted_root_search.hpp"
+#include "clique/weighted/greedy.hpp"
+#include "clique/weighted/root_search.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 constexpr int kNumGreedyStarts = 16;
@@ -21,7 +21,8 @@ class Solver {
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
-        budget_(Deadline(options.time_limit, options.stop), options.max_nodes, options.max_work),
+        budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes,
+                options.max_work),
         num_threads_(options.num_threads),
         max_memory_(options.max_memory),
         upper_bound_(weights.total()) {}
@@ -145,6 +146,9 @@ WeightedCliqueResult solve_equal_weights(const BitsetGraph& graph, std::span<con
 }
 
 }  // namespace
+}  // namespace gmcr::clique
+
+namespace gmcr {
 
 WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
                                        const WeightedCliqueOptions& options) {
@@ -153,11 +157,11 @@ WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const
     throw std::invalid_argument("weights: " + std::to_string(weights.size()) + " values for " +
                                 std::to_string(graph.num_vertices()) + " vertices");
   }
-  const FixedPointWeights fixed(weights);
-  if (fixed.total() > 0 && are_equal(fixed.units())) {
-    return solve_equal_weights(graph, weights, fixed, options);
+  const clique::FixedPointWeights fixed(weights);
+  if (fixed.total() > 0 && clique::are_equal(fixed.units())) {
+    return clique::solve_equal_weights(graph, weights, fixed, options);
   }
-  return Solver(graph, fixed, options).solve(weights);
+  return clique::Solver(graph, fixed, options).solve(weights);
 }
 
 }  // namespace gmcr

@@ -1,11 +1,11 @@
 #include "clique/survivor_search.hpp"
 
-#include "clique/coloring.hpp"
-#include "clique/complement.hpp"
-#include "clique/complement_search.hpp"
-#include "clique/greedy.hpp"
+#include "clique/graph/colouring.hpp"
+#include "clique/graph/complement.hpp"
+#include "clique/nearly_complete/complement_search.hpp"
+#include "clique/search/greedy.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 // Starts of greedy cliques: one for 64 vertices, within these bounds.
@@ -25,7 +25,7 @@ void grow_cliques(RowsView graph, std::span<const Index> starts, std::span<const
     if (covered[start]) continue;
     if (upper_bound <= incumbent.to_beat() || budget.out_of_time()) return;
     if (num_starts++ == max_starts) return;
-    std::vector<Index> clique = greedy_clique_by_candidates(graph, start, priority);
+    std::vector<Index> clique = greedy_clique(graph, start, priority);
     for (const Index v : clique) covered[v] = 1;
     incumbent.offer(std::move(clique));
   }
@@ -57,7 +57,7 @@ Index SurvivorSearch::run(std::span<const Word> alive, bool has_only_bound) {
       return degrees;
     }();
     const auto start = std::max_element(degree.begin(), degree.end()) - degree.begin();
-    incumbent_.offer(greedy_clique_by_candidates(graph_, start, degree));
+    incumbent_.offer(greedy_clique(graph_, start, degree));
   }
   if (!settled()) bound_by_colors(alive);
   // Graphs made by a rule are often coloured best as their vertices are numbered.
@@ -118,4 +118,4 @@ void SurvivorSearch::search_copy(const PackedGraph& packed, std::span<const Inde
   incumbent_.offer(originals_of(packed, inner.clique()));
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::clique

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "clique/degeneracy.hpp"
-#include "clique/root_search.hpp"
+#include "clique/graph/degeneracy.hpp"
+#include "clique/search/root_search.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 
 /// Greedy cliques from the first few of `starts` that no clique so far contains, until one reaches
 /// `upper_bound` or the budget ends.
@@ -57,4 +57,4 @@ class SurvivorSearch {
   Degeneracy cores_;
 };
 
-}  // namespace gmcr
+}  // namespace gmcr::clique

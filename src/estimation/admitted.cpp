@@ -8,7 +8,7 @@
 #include "estimation/rotation.hpp"
 #include "geometry/angles.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 using Eigen::Matrix3d;
@@ -26,7 +26,7 @@ Matrix3d about(const Vector3d& axis, double angle) {
 
 /// Least rotation that maps one unit vector onto another.
 Matrix3d least_turn(const Vector3d& from, const Vector3d& to) {
-  const Matrix3d first = about(axis_between(from, to), angle_between(from, to));
+  const Matrix3d first = about(axis_between(from, to), geometry::angle_between(from, to));
   // the axis of nearly opposite vectors is inexact: what is left is a small turn
   const Vector3d reached = (first * from).normalized(), axis = reached.cross(to);
   if (axis.norm() == 0) return first;
@@ -35,24 +35,24 @@ Matrix3d least_turn(const Vector3d& from, const Vector3d& to) {
 
 /// The unit vector nearest to `direction` at most `angle` from `centre`.
 Vector3d into_cap(const Vector3d& direction, const Vector3d& centre, double angle) {
-  if (angle_between(centre, direction) <= angle) return direction;
+  if (geometry::angle_between(centre, direction) <= angle) return direction;
   return about(axis_between(centre, direction), angle) * centre;
 }
 
 /// The place nearest to `direction` that lies in two caps on the sphere.
 std::optional<Vector3d> into_both_caps(const Vector3d& direction, const Vector3d& centre,
                                        double angle, const Vector3d& other, double other_angle) {
-  constexpr double kRounding = kAngleSlack / 2;
+  constexpr double kRounding = geometry::kAngleSlack / 2;
   const auto in_both = [&](const Vector3d& place) {
-    return angle_between(place, centre) <= angle + kRounding &&
-           angle_between(place, other) <= other_angle + kRounding;
+    return geometry::angle_between(place, centre) <= angle + kRounding &&
+           geometry::angle_between(place, other) <= other_angle + kRounding;
   };
   for (const Vector3d& place :
        {into_cap(direction, centre, angle), into_cap(direction, other, other_angle)}) {
     if (in_both(place)) return place;
   }
   // a corner: at both angles, in the frame of the centre, the other centre and their normal
-  const double between = angle_between(centre, other);
+  const double between = geometry::angle_between(centre, other);
   const Vector3d normal = axis_between(centre, other), across = normal.cross(centre);
   const double x = std::cos(angle);
   const double y = (std::cos(other_angle) - std::cos(between) * x) / std::sin(between);
@@ -77,7 +77,7 @@ double best_yaw(const Matrix3d& rotation, const Vector3d& axis, const Matrix3d& 
 }
 
 Matrix3d limit_turn(const InitialPose& initial, const Matrix3d& rotation) {
-  const Matrix3d known = exact_rotation(initial.target_from_source.rotation);
+  const Matrix3d known = geometry::exact_rotation(initial.target_from_source.rotation);
   const Eigen::AngleAxisd turn(Matrix3d(rotation * known.transpose()));
   return about(turn.axis(), std::min(turn.angle(), initial.max_rotation)) * known;
 }
@@ -98,27 +98,29 @@ Matrix3d best_with_image(const Priors& priors, const Vector3d& up, const Vector3
     const Matrix3d level = least_turn((start * up).normalized(), image) * start;
     return about(image, best_yaw(level, image, covariance)) * level;
   }
-  const Matrix3d known = exact_rotation(priors.initial_pose->target_from_source.rotation);
+  const Matrix3d known = geometry::exact_rotation(priors.initial_pose->target_from_source.rotation);
   const Vector3d known_image = (known * up).normalized();
   const Matrix3d level = least_turn(known_image, image) * known;
   const double limit =
-      largest_yaw(angle_between(known_image, image), priors.initial_pose->max_rotation);
+      largest_yaw(geometry::angle_between(known_image, image), priors.initial_pose->max_rotation);
   return about(image, std::clamp(best_yaw(level, image, covariance), -limit, limit)) * level;
 }
 
 bool admit_rotation(const Priors& priors, const Matrix3d& rotation) {
-  if (priors.gravity && tilt(*priors.gravity, rotation) > priors.gravity->max_tilt + kAngleSlack) {
+  if (priors.gravity && geometry::tilt(*priors.gravity, rotation) >
+                            priors.gravity->max_tilt + geometry::kAngleSlack) {
     return false;
   }
-  return !priors.initial_pose || turn_from(*priors.initial_pose, rotation) <=
-                                     priors.initial_pose->max_rotation + kAngleSlack;
+  return !priors.initial_pose || geometry::turn_from(*priors.initial_pose, rotation) <=
+                                     priors.initial_pose->max_rotation + geometry::kAngleSlack;
 }
 
 /// The argmax over SO(3) of tr(R^T H). Where it is not unique, the one nearest to what is known.
 Matrix3d unconstrained_rotation(const Matrix3d& covariance, const Priors& priors) {
   if (const auto unique = rotation_from_covariance(covariance)) return *unique;
   Matrix3d known = Matrix3d::Identity();
-  if (priors.initial_pose) known = exact_rotation(priors.initial_pose->target_from_source.rotation);
+  if (priors.initial_pose)
+    known = geometry::exact_rotation(priors.initial_pose->target_from_source.rotation);
   if (priors.gravity) {
     known = best_with_image(priors, priors.gravity->source.stableNormalized(),
                             priors.gravity->target.stableNormalized(), known, covariance);
@@ -151,7 +153,8 @@ std::optional<Matrix3d> admitted_rotation(const Matrix3d& covariance, const Prio
       priors.initial_pose
           ? into_both_caps(
                 image, target_up, max_tilt,
-                exact_rotation(priors.initial_pose->target_from_source.rotation) * source_up,
+                geometry::exact_rotation(priors.initial_pose->target_from_source.rotation) *
+                    source_up,
                 priors.initial_pose->max_rotation)
           : into_cap(image, target_up, max_tilt);
   if (!nearest) return std::nullopt;
@@ -191,4 +194,4 @@ std::optional<Similarity> admitted_pose(const Similarity& pose, const Priors& pr
   return admitted;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -6,7 +6,7 @@
 #include "gmcr/priors.hpp"
 #include "gmcr/similarity.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Rotation that the priors admit and that fits a cross-covariance H = sum_k w_k b_k a_k^T well.
 ///
@@ -27,4 +27,4 @@ std::optional<Eigen::Vector3d> admitted_translation(const Eigen::Vector3d& trans
 /// nullopt where they do not admit its rotation. Without priors, the pose as it is.
 std::optional<Similarity> admitted_pose(const Similarity& pose, const Priors& priors);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

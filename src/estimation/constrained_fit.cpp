@@ -6,7 +6,7 @@
 #include "estimation/admitted.hpp"
 #include "estimation/similarity_fit.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 /// A prior on the translation: the origin of the caller's source frame maps into a ball.
@@ -101,4 +101,4 @@ std::optional<Similarity> fit_pose(const Moments& given, const PoseConstraints& 
   return clamp_translation(*fit, constraints);
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

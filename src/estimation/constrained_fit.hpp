@@ -9,7 +9,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// The fit of `fit_similarity` among the poses that the constraints admit.
 /// @param source, target, bounds, indices  as for `fit_similarity`, in the centred frames.
@@ -21,4 +21,4 @@ std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& tar
 /// The same for correspondences of the given moments.
 std::optional<Similarity> fit_pose(const Moments& moments, const PoseConstraints& constraints);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

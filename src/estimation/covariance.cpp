@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 /// Relative to the whole: a smaller moment of inertia is that of a line, to rounding.
@@ -100,4 +100,4 @@ std::optional<Covariance> estimate_covariance(const Similarity& target_from_sour
   return covariance;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

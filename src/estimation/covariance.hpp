@@ -8,7 +8,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// How well chosen correspondences determine the least-squares transform between them.
 ///
@@ -32,4 +32,4 @@ std::optional<Covariance> estimate_covariance(const Similarity& target_from_sour
                                               const std::vector<Index>& indices,
                                               bool scale_is_free);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -7,7 +7,7 @@
 #include "estimation/constrained_fit.hpp"
 #include "kernels/residuals.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 MinimaxFit::MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
                        PoseConstraints constraints)
@@ -59,4 +59,4 @@ double MinimaxFit::lower_bound() {
   return lower_bound_;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -7,7 +7,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Fits that approach the similarity whose largest relative residual |b_i - (s R a_i + t)| / eps_i
 /// is least (Lawson 1961): weighted least squares, where each weight is multiplied by its relative
@@ -48,4 +48,4 @@ class MinimaxFit {
   double sum_of_weights_ = 0, mean_square_ = 0, lower_bound_ = 0;
 };
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -182,4 +182,4 @@ double least_squares_bound(const Moments& m, const ScaleRange& scales) {
   return std::max(0.0, variances - 2 * s * alignment - rounding);
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

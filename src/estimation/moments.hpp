@@ -7,7 +7,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// All that a weighted least-squares fit of a similarity depends on. Those of a union are the sum
 /// of the moments.
@@ -50,4 +50,4 @@ Similarity fit_with_rotation(const Moments& moments, const Eigen::Matrix3d& rota
 /// Cost O(1): no decomposition.
 double least_squares_bound(const Moments& moments, const ScaleRange& scales);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -5,7 +5,7 @@
 #include "gmcr/options.hpp"
 #include "gmcr/priors.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// What a pose between two centred frames must satisfy.
 struct PoseConstraints {
@@ -21,4 +21,4 @@ inline PoseConstraints at_scale(PoseConstraints constraints, double scale) {
   return constraints;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -5,7 +5,7 @@
 
 #include "estimation/singular_pairs.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 std::optional<Eigen::Matrix3d> rotation_from_covariance(const Eigen::Matrix3d& covariance) {
   constexpr double kRankTolerance = 1e-12;
@@ -30,4 +30,4 @@ std::optional<Eigen::Matrix3d> estimate_rotation(const PointsRef& a, const Point
   return rotation_from_covariance(b * a.transpose());
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -5,7 +5,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Rotation of a 3 x 3 cross-covariance sum_k w_k b_k a_k^T: argmax over SO(3) of tr(R^T H).
 /// @return R with det R = +1, or nullopt where the second singular value is below 1e-12 of the
@@ -25,4 +25,4 @@ Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance);
 /// @throws std::invalid_argument on a shape mismatch. Cost O(K).
 std::optional<Eigen::Matrix3d> estimate_rotation(const PointsRef& a, const PointsRef& b);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

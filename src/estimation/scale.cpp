@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 double estimate_scale(const Eigen::ArrayXd& scales, const Eigen::ArrayXd& alphas) {
   double weighted_sum = 0, weight_sum = 0;
@@ -15,4 +15,4 @@ double estimate_scale(const Eigen::ArrayXd& scales, const Eigen::ArrayXd& alphas
   return weighted_sum / weight_sum;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

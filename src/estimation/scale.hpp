@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Scale that the measurements agree with best: min_s sum_k (s - s_k)^2 / alpha_k^2, the closed
 /// form of the paper's scale objective (eq:corresp_est:scale_obj) without outliers.
@@ -11,4 +11,4 @@ namespace gmcr {
 /// @return the weighted mean; NaN where no measurement has weight.
 double estimate_scale(const Eigen::ArrayXd& scales, const Eigen::ArrayXd& alphas);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

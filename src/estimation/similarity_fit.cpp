@@ -4,7 +4,7 @@
 
 #include "estimation/rotation.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRef& target,
                                          const Eigen::ArrayXd& bounds,
@@ -19,4 +19,4 @@ Similarity fit_similarity(const Moments& moments, const ScaleRange& scales) {
   return fit_with_rotation(moments, unique ? *unique : least_rotation(moments.covariance), scales);
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -9,7 +9,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Similarity that maps chosen points of `source` onto those of `target` best in the least-squares
 /// sense: min sum_i |b_i - (s R a_i + t)|^2 / bounds_i^2 (Umeyama 1991).
@@ -29,4 +29,4 @@ std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRe
 /// The same for correspondences of the given moments.
 Similarity fit_similarity(const Moments& moments, const ScaleRange& scales);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

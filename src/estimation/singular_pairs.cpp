@@ -7,7 +7,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 /// Turns two columns of `product`, and of `right` alike, so that those of `product` are orthogonal.
@@ -56,4 +56,4 @@ SingularPairs leading_singular_pairs(const Eigen::Matrix3d& matrix) {
   return pairs;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

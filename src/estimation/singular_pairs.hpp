@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// The two leading singular triples of a 3 x 3 matrix H = sum_k sigma_k u_k v_k^T. The third ones
 /// are +-u_0 x u_1 and +-v_0 x v_1.
@@ -16,4 +16,4 @@ struct SingularPairs {
 /// accuracy. Cost O(1), about a tenth of a general decomposition.
 SingularPairs leading_singular_pairs(const Eigen::Matrix3d& matrix);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices) {
   if (indices.empty()) return {};
@@ -24,4 +24,4 @@ double reach_from_line(const PointsRef& points, const std::vector<Index>& indice
   return (centred - axis * (axis.transpose() * centred)).colwise().norm().maxCoeff();
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -4,7 +4,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// How far chosen points reach from their centroid and from the line through it that fits them
 /// best.
@@ -20,4 +20,4 @@ Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices
 double reach_from_line(const PointsRef& points, const std::vector<Index>& indices,
                        const Eigen::Vector3d& direction);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -4,7 +4,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 
 /// Translation that the measurements t_i = b_i - s R a_i agree with best:
 /// min_t sum_i |t - t_i|^2 / bounds_i^2.
@@ -12,4 +12,4 @@ namespace gmcr {
 /// @param bounds        N noise bounds, metres, > 0.
 Eigen::Vector3d estimate_translation(const PointsRef& measurements, const Eigen::ArrayXd& bounds);
 
-}  // namespace gmcr
+}  // namespace gmcr::estimation

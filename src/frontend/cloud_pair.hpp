@@ -2,7 +2,7 @@
 
 #include "gmcr/frontend.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// One way to run the front end.
 struct FrontendSetting {
@@ -29,4 +29,4 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
                         const FrontendOptions& frontend, const Options& options,
                         const FrontendSetting& setting);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

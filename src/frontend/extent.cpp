@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 double quantile(std::vector<double>& values, double share) {
@@ -27,4 +27,4 @@ double robust_extent(const PointsRef& points) {
   return 2 * quantile(values, 0.9);
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -2,7 +2,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// Size of a cloud that a few stray points or a long thin tail do not change: twice the 90th
 /// percentile of the distance from the median point (median of each coordinate).
@@ -12,4 +12,4 @@ namespace gmcr {
 /// Cost O(N). Deterministic.
 double robust_extent(const PointsRef& points);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

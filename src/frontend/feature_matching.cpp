@@ -6,7 +6,7 @@
 
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 constexpr int kLanes = 8;    // targets that one pass over the bins compares
@@ -120,7 +120,7 @@ NearestBothWays find_nearest(const Features& source, const Features& target, int
   // a bounded number of blocks, each with its own best sources; merged in order
   const Index grain = std::max<Index>(256, (source.cols() + 31) / 32);
   std::vector<std::vector<Nearest>> block_best((source.cols() + grain - 1) / grain);
-  parallel_for(source.cols(), grain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(source.cols(), grain, num_threads, [&](Index begin, Index end) {
     auto& of_target = block_best[begin / grain];
     of_target.resize(num_slots);
     compare_block(source, targets, begin, end, nearest.of_source, of_target);
@@ -161,4 +161,4 @@ std::vector<FeatureMatch> match_features(const Features& source, const Features&
   return matches;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -5,7 +5,7 @@
 #include "frontend/fpfh.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 struct MatchingOptions {
   bool mutual = true;   ///< each is the other's nearest
@@ -29,4 +29,4 @@ struct FeatureMatch {
 std::vector<FeatureMatch> match_features(const Features& source, const Features& target,
                                          const MatchingOptions& options);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -8,7 +8,7 @@
 
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 constexpr int kBinsPerAngle = 11;
@@ -90,14 +90,14 @@ Features compute_fpfh(const PointsRef& points, const Points& normals,
                       const Neighbourhoods& neighbourhoods, int num_threads) {
   const Index n = points.cols();
   Features simplified = Features::Zero(kFpfhBins, n);
-  parallel_for(n, kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(n, kGrain, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       if (normals.col(i).isZero(0)) continue;
       simplified.col(i) = simplified_histogram(points, normals, neighbourhoods, i);
     }
   });
   Features features = Features::Zero(kFpfhBins, n);
-  parallel_for(n, kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(n, kGrain, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       if (normals.col(i).isZero(0)) continue;
       features.col(i) = full_histogram(simplified, neighbourhoods, i);
@@ -106,4 +106,4 @@ Features compute_fpfh(const PointsRef& points, const Points& normals,
   return features;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -5,7 +5,7 @@
 #include "frontend/neighbourhoods.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 inline constexpr int kFpfhBins = 33;
 
@@ -25,4 +25,4 @@ using Features = Eigen::Matrix<float, kFpfhBins, Eigen::Dynamic>;
 Features compute_fpfh(const PointsRef& points, const Points& normals,
                       const Neighbourhoods& neighbourhoods, int num_threads);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

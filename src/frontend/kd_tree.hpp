@@ -4,7 +4,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// What nanoflann asks of a set of points: its size and its coordinates.
 struct KdTreePoints {
@@ -24,4 +24,4 @@ using KdTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, KdTreePoints>,
                                         KdTreePoints, 3, std::int32_t>;
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

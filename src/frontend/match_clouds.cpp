@@ -26,7 +26,7 @@ constexpr double kSparseShare = 0.7;
 
 /// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
 double voxel_size_from(const PointsRef& points) {
-  const double extent = points.cols() > 0 ? robust_extent(points) : 0;
+  const double extent = points.cols() > 0 ? frontend::robust_extent(points) : 0;
   return extent > 0 ? kVoxelShare * extent : 1;
 }
 
@@ -34,7 +34,7 @@ double voxel_size_from(const PointsRef& points) {
 double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
   constexpr int kMostSteps = 6;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto num_voxels = static_cast<double>(voxel_grid(points, voxel_size).cols());
+    const auto num_voxels = static_cast<double>(frontend::voxel_grid(points, voxel_size).cols());
     if (num_voxels <= kSparseShare * static_cast<double>(points.cols())) break;
     voxel_size *= std::numbers::sqrt2;
   }
@@ -88,7 +88,7 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
 
 CloudMatches match_with(const PointsRef& source, const PointsRef& target,
                         const FrontendOptions& asked, const Options& options,
-                        const FrontendSetting& setting) {
+                        const frontend::FrontendSetting& setting) {
   FrontendOptions frontend = asked;
   frontend.feature_radius *= setting.feature_radius_factor;
   if (setting.keep_all_matches) {
@@ -97,7 +97,7 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
   }
   CloudMatches matches;
   matches.filtered = frontend.mutual || frontend.max_ratio < 1;
-  StageClock clock(matches.stages);
+  frontend::StageClock clock(matches.stages);
   const VoxelSizes sizes =
       choose_voxel_sizes(source, target, frontend, options, setting.keep_all_matches);
   matches.source_voxel_size = setting.voxel_factor * sizes.source;
@@ -107,16 +107,18 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
                             : frontend.noise_bound_voxels * matches.target_voxel_size;
 
   const int threads = options.num_threads;
-  Surface from = make_surface(source, matches.source_voxel_size, frontend, threads, clock);
-  Surface to = make_surface(target, matches.target_voxel_size, frontend, threads, clock);
-  const Features source_features =
-      describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
-  const Features target_features =
-      describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto pairs = match_features(
+  frontend::Surface from =
+      frontend::make_surface(source, matches.source_voxel_size, frontend, threads, clock);
+  frontend::Surface to =
+      frontend::make_surface(target, matches.target_voxel_size, frontend, threads, clock);
+  const frontend::Features source_features =
+      frontend::describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
+  const frontend::Features target_features =
+      frontend::describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
+  const auto pairs = frontend::match_features(
       source_features, target_features,
       {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, frontend.one_to_one});
-  for (const FeatureMatch& pair : pairs) {
+  for (const frontend::FeatureMatch& pair : pairs) {
     matches.source_indices.push_back(pair.source);
     matches.target_indices.push_back(pair.target);
   }
@@ -130,8 +132,9 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
 
 CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
-  validate_pair(source, target, frontend, options);
-  return match_with(source, target, frontend, options, list_settings(frontend).front());
+  frontend::validate_pair(source, target, frontend, options);
+  return frontend::match_with(source, target, frontend, options,
+                              frontend::list_settings(frontend).front());
 }
 
 }  // namespace gmcr

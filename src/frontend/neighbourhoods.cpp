@@ -6,7 +6,7 @@
 #include "frontend/kd_tree.hpp"
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 constexpr Index kGrain = 256;
@@ -49,7 +49,7 @@ Neighbourhoods find_neighbourhoods(const PointsRef& points, double radius, int n
   const KdTreePoints adaptor{points};
   const KdTree tree(3, adaptor);
   std::vector<Chunk> chunks(static_cast<std::size_t>((points.cols() + kGrain - 1) / kGrain));
-  parallel_for(points.cols(), kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(points.cols(), kGrain, num_threads, [&](Index begin, Index end) {
     chunks[static_cast<std::size_t>(begin / kGrain)] =
         search_chunk(tree, points, radius * radius, begin, end);
   });
@@ -69,4 +69,4 @@ Neighbourhoods find_neighbourhoods(const PointsRef& points, double radius, int n
   return result;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -6,7 +6,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// The points within a radius of each point of a cloud, itself excluded.
 ///
@@ -35,4 +35,4 @@ struct Neighbourhoods {
 /// Cost O(N log N + number of neighbours). Deterministic for any thread count.
 Neighbourhoods find_neighbourhoods(const PointsRef& points, double radius, int num_threads);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

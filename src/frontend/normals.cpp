@@ -4,7 +4,7 @@
 
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 /// Share of the spread along the longest axis below which the middle one counts as none.
@@ -39,7 +39,7 @@ Eigen::Vector3d estimate_normal(const PointsRef& points, const Neighbourhoods& n
 Points estimate_normals(const PointsRef& points, const Neighbourhoods& neighbourhoods,
                         double radius, int num_threads) {
   Points normals(3, points.cols());
-  parallel_for(points.cols(), 256, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(points.cols(), 256, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       normals.col(i) = estimate_normal(points, neighbourhoods, radius * radius, i);
     }
@@ -61,4 +61,4 @@ Points orient_outward(const PointsRef& points, const Points& normals) {
   return -orient_toward(points, normals, points.rowwise().mean());
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -5,7 +5,7 @@
 #include "frontend/neighbourhoods.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// Unit normal of the surface at each point: the direction in which its neighbours within `radius`
 /// spread least.
@@ -25,4 +25,4 @@ Points orient_toward(const PointsRef& points, const Points& normals,
 /// Turns each normal away from the mean of the points.
 Points orient_outward(const PointsRef& points, const Points& normals);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -6,7 +6,7 @@
 #include "frontend/kd_tree.hpp"
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 Overlap measure_overlap(const PointsRef& source, const PointsRef& target,
                         const Similarity& target_from_source, double radius, int num_threads) {
@@ -15,7 +15,7 @@ Overlap measure_overlap(const PointsRef& source, const PointsRef& target,
   const KdTree tree(3, adaptor);
   const Points moved = target_from_source.apply(source);
   std::vector<double> squared_distances(static_cast<std::size_t>(source.cols()));
-  parallel_for(source.cols(), 256, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(source.cols(), 256, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       std::int32_t nearest = 0;
       tree.knnSearch(moved.col(i).data(), 1, &nearest,
@@ -34,4 +34,4 @@ Overlap measure_overlap(const PointsRef& source, const PointsRef& target,
   return {count / static_cast<double>(source.cols()), std::sqrt(sum / count)};
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

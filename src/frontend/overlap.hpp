@@ -3,7 +3,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// How well two clouds cover each other.
 struct Overlap {
@@ -19,4 +19,4 @@ struct Overlap {
 Overlap measure_overlap(const PointsRef& source, const PointsRef& target,
                         const Similarity& target_from_source, double radius, int num_threads);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -42,11 +42,11 @@ void measure_fit(CloudResult& result, const Options& options) {
   const CloudMatches& matches = result.matches;
   const Similarity& pose = result.registration.target_from_source;
   const double radius = matches.target_voxel_size;
-  const Overlap forward = measure_overlap(matches.source_voxels, matches.target_voxels, pose,
-                                          radius, options.num_threads);
-  const Overlap backward =
-      measure_overlap(matches.target_voxels, matches.source_voxels, pose.inverse(),
-                      radius / pose.scale, options.num_threads);
+  const frontend::Overlap forward = frontend::measure_overlap(
+      matches.source_voxels, matches.target_voxels, pose, radius, options.num_threads);
+  const frontend::Overlap backward =
+      frontend::measure_overlap(matches.target_voxels, matches.source_voxels, pose.inverse(),
+                                radius / pose.scale, options.num_threads);
   result.fitness = forward.fitness;
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
@@ -61,11 +61,11 @@ void measure_fit(CloudResult& result, const Options& options) {
 ///   `first` attempt, which would throw.
 std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
                                    const FrontendOptions& frontend, const Options& options,
-                                   const FrontendSetting& setting, bool first) {
+                                   const frontend::FrontendSetting& setting, bool first) {
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
-  result.matches = match_with(source, target, frontend, options, setting);
+  result.matches = frontend::match_with(source, target, frontend, options, setting);
   const Index num_matches = result.matches.source.cols();
   if (!first && BitsetGraph::bytes_required(num_matches) > options.budget.memory) {
     return std::nullopt;
@@ -73,7 +73,7 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
   result.registration = register_matches(result.matches, options);
   const Status status = result.registration.status;
   if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
-  judge(result);
+  frontend::judge(result);
   return result;
 }
 
@@ -86,24 +86,24 @@ bool better(const CloudResult& a, const CloudResult& b) {
 }
 
 void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stages) {
-  for (const StageTime& stage : stages) add_stage(sum, stage.name, stage.seconds);
+  for (const StageTime& stage : stages) frontend::add_stage(sum, stage.name, stage.seconds);
 }
 
 }  // namespace
 
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend, const Options& options) {
-  validate_pair(source, target, frontend, options);
+  frontend::validate_pair(source, target, frontend, options);
   if (!options.noise_bounds.empty()) {
     throw std::invalid_argument("noise_bounds: " + std::to_string(options.noise_bounds.size()) +
                                 " values for matches that are not known yet");
   }
-  const Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.budget.time, options.stop);
   CloudResult best;
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
-  for (const FrontendSetting& setting : list_settings(frontend)) {
+  for (const frontend::FrontendSetting& setting : frontend::list_settings(frontend)) {
     const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
     if (num_attempts > 0 && deadline.expired()) {
@@ -111,7 +111,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
       break;
     }
     Options remaining = options;
-    remaining.budget.time = std::max(deadline.remaining(), kLeastSeconds);
+    remaining.budget.time = std::max(deadline.remaining(), parallel::kLeastSeconds);
     auto result = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
     if (!result) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
@@ -153,7 +153,7 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   evidence.upper = std::max(evidence.upper, evidence.lower);
   evidence.certified = evidence.upper <= evidence.lower * (1 + 1e-9);
   measure_fit(result, options);
-  judge(result);
+  frontend::judge(result);
   return result;
 }
 

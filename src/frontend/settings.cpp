@@ -2,7 +2,7 @@
 
 #include "frontend/cloud_pair.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
   using enum NormalOrientation;
@@ -29,4 +29,4 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
   return settings;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -6,7 +6,7 @@
 #include "gmcr/result.hpp"
 #include "parallel/deadline.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// Adds `seconds` to the stage of that name, which is appended where it is new.
 inline void add_stage(std::vector<StageTime>& stages, const std::string& name, double seconds) {
@@ -33,8 +33,8 @@ class StageClock {
 
  private:
   std::vector<StageTime>& stages_;
-  Deadline watch_{std::numeric_limits<double>::infinity()};
+  parallel::Deadline watch_{std::numeric_limits<double>::infinity()};
   double last_ = 0;
 };
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -3,7 +3,7 @@
 #include "frontend/normals.hpp"
 #include "frontend/voxel_grid.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 Surface make_surface(const PointsRef& points, double voxel_size, const FrontendOptions& frontend,
                      int num_threads, StageClock& clock) {
@@ -35,4 +35,4 @@ Features describe(const Surface& surface, NormalOrientation side, const Eigen::V
   return features;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -5,7 +5,7 @@
 #include "frontend/stage_clock.hpp"
 #include "gmcr/frontend.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// A cloud after the voxel grid, with what its features are computed from.
 struct Surface {
@@ -26,4 +26,4 @@ Surface make_surface(const PointsRef& points, double voxel_size, const FrontendO
 Features describe(const Surface& surface, NormalOrientation side, const Eigen::Vector3d& viewpoint,
                   int num_threads, StageClock& clock);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

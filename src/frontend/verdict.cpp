@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 // Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones.
@@ -56,4 +56,4 @@ void judge(CloudResult& result) {
   }
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

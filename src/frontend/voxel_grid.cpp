@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
@@ -69,4 +69,4 @@ Points voxel_grid(const PointsRef& points, double voxel_size) {
   return means;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

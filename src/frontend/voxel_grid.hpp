@@ -2,7 +2,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 
 /// Mean of the points in each occupied cell of a cubic grid.
 ///
@@ -16,4 +16,4 @@ namespace gmcr {
 /// Cost O(N log N). Deterministic.
 Points voxel_grid(const PointsRef& points, double voxel_size);
 
-}  // namespace gmcr
+}  // namespace gmcr::frontend

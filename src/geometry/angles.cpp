@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace gmcr {
+namespace gmcr::geometry {
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d u = a.stableNormalized(), v = b.stableNormalized();
@@ -27,4 +27,4 @@ double turn_from(const InitialPose& initial, const Eigen::Matrix3d& rotation) {
   return rotation_angle(rotation * exact_rotation(initial.target_from_source.rotation).transpose());
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::geometry

@@ -4,7 +4,7 @@
 
 #include "gmcr/priors.hpp"
 
-namespace gmcr {
+namespace gmcr::geometry {
 
 /// Rounding that an angle of a prior is granted, radians.
 inline constexpr double kAngleSlack = 1e-9;
@@ -24,4 +24,4 @@ double tilt(const GravityPrior& gravity, const Eigen::Matrix3d& rotation);
 /// Angle between a rotation and that of an initial pose, radians.
 double turn_from(const InitialPose& initial, const Eigen::Matrix3d& rotation);
 
-}  // namespace gmcr
+}  // namespace gmcr::geometry

@@ -22,7 +22,7 @@ void require(bool holds, const std::string& field, const Value& value, const cha
 
 void require_angle(const std::string& field, double angle) {
   // pi itself may come rounded
-  require(angle >= 0 && angle <= std::numbers::pi + kAngleSlack, field, angle,
+  require(angle >= 0 && angle <= std::numbers::pi + geometry::kAngleSlack, field, angle,
           "is not an angle in [0, pi]");
 }
 
@@ -51,9 +51,12 @@ bool within(const Eigen::Vector3d& translation, const Eigen::Vector3d& centre, d
 bool Priors::admit(const Similarity& target_from_source) const {
   const Eigen::Matrix3d& rotation = target_from_source.rotation;
   const Eigen::Vector3d& translation = target_from_source.translation;
-  if (gravity && tilt(*gravity, rotation) > gravity->max_tilt + kAngleSlack) return false;
+  if (gravity && geometry::tilt(*gravity, rotation) > gravity->max_tilt + geometry::kAngleSlack)
+    return false;
   if (initial_pose) {
-    if (turn_from(*initial_pose, rotation) > initial_pose->max_rotation + kAngleSlack) return false;
+    if (geometry::turn_from(*initial_pose, rotation) >
+        initial_pose->max_rotation + geometry::kAngleSlack)
+      return false;
     if (!within(translation, initial_pose->target_from_source.translation,
                 initial_pose->max_translation)) {
       return false;

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <utility>
 
-namespace gmcr {
+namespace gmcr::parallel {
 
 inline constexpr double kLeastSeconds = 1e-3;  ///< that a solver needs to say that it has no time
 
@@ -41,4 +41,4 @@ class Deadline {
   std::stop_token stop_;
 };
 
-}  // namespace gmcr
+}  // namespace gmcr::parallel

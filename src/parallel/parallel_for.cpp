@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace gmcr {
+namespace gmcr::parallel {
 
 int resolve_num_threads(int num_threads) {
   return num_threads > 0 ? num_threads : std::max(1, tbb::this_task_arena::max_concurrency());
@@ -36,4 +36,4 @@ void parallel_for(Index count, Index grain, int num_threads,
   });
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::parallel

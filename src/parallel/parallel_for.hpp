@@ -4,7 +4,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::parallel {
 
 /// Threads that `num_threads` asks for: itself, or every core this process may use for 0.
 int resolve_num_threads(int num_threads);
@@ -17,4 +17,4 @@ int resolve_num_threads(int num_threads);
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body);
 
-}  // namespace gmcr
+}  // namespace gmcr::parallel

@@ -9,7 +9,7 @@
 
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::parallel {
 
 int resolve_num_threads(int num_threads) {
   if (num_threads > 0) return num_threads;
@@ -43,4 +43,4 @@ void parallel_for(Index count, Index grain, int num_threads,
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::parallel

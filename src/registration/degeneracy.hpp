@@ -7,7 +7,7 @@
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 
 /// Why the inliers do not determine the transform; empty where they do.
 ///
@@ -18,4 +18,4 @@ std::string degeneracy_reason(const Points& source, const Similarity& pose,
                               const std::vector<Index>& inliers, double bound,
                               const Priors& priors);
 
-}  // namespace gmcr
+}  // namespace gmcr::registration

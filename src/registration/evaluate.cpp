@@ -2,11 +2,11 @@
 #include <string>
 
 #include "gmcr/registration.hpp"
+#include "problem/input.hpp"
+#include "problem/objective.hpp"
 #include "registration/degeneracy.hpp"
-#include "registration/input.hpp"
-#include "registration/objective.hpp"
-#include "registration/scale_search.hpp"
 #include "registration/uncertainty.hpp"
+#include "search/scale_modes.hpp"
 
 namespace gmcr {
 namespace {
@@ -27,20 +27,21 @@ void require_pose(const Similarity& pose) {
 
 Consensus evaluate_consensus(const Similarity& target_from_source, const PointsRef& source,
                              const PointsRef& target, const Options& options) {
-  validate_input(source, target, options);
+  problem::validate_input(source, target, options);
   require_given_noise(options);
   require_pose(target_from_source);
-  const Correspondences input = correspondences_of(source, target, options);
-  const Hypothesis judged = Objective(input, options.evidence, options.budget.memory / 4,
-                                      DistinctEvidence::kAllScales, octaves_of(options, input))
-                                .judge(target_from_source);
+  const problem::Correspondences input = problem::correspondences_of(source, target, options);
+  const problem::Hypothesis judged =
+      problem::Objective(input, options.evidence, options.budget.memory / 4,
+                         problem::DistinctEvidence::kAllScales, search::octaves_of(options, input))
+          .judge(target_from_source);
   return {judged.inliers, judged.evidence};
 }
 
 Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const PointsRef& source,
                                  const PointsRef& target, const std::vector<Index>& inliers,
                                  const Options& options) {
-  validate_input(source, target, options);
+  problem::validate_input(source, target, options);
   require_given_noise(options);
   require_pose(target_from_source);
   for (const Index i : inliers) {
@@ -48,13 +49,15 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
     throw std::invalid_argument("inliers: " + std::to_string(i) + " is not one of " +
                                 std::to_string(source.cols()) + " correspondences");
   }
-  const Correspondences input = correspondences_of(source, target, options);
-  Uncertainty uncertainty = measure_uncertainty(target_from_source, input, inliers, options,
-                                                Deadline(options.budget.time, options.stop));
+  const problem::Correspondences input = problem::correspondences_of(source, target, options);
+  Uncertainty uncertainty =
+      registration::measure_uncertainty(target_from_source, input, inliers, options,
+                                        parallel::Deadline(options.budget.time, options.stop));
   const bool determined =
-      uncertainty.covariance && degeneracy_reason(source, target_from_source, inliers,
-                                                  input.bounds(inliers).maxCoeff(), options.priors)
-                                    .empty();
+      uncertainty.covariance &&
+      registration::degeneracy_reason(source, target_from_source, inliers,
+                                      input.bounds(inliers).maxCoeff(), options.priors)
+          .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;
 }

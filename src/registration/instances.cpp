@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "gmcr/registration.hpp"
-#include "invariants/correspondences.hpp"
 #include "parallel/deadline.hpp"
-#include "registration/input.hpp"
+#include "problem/correspondences.hpp"
+#include "problem/input.hpp"
 
 namespace gmcr {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// The options for some of the correspondences.
 Options options_of(const Options& options, const std::vector<Index>& left, double seconds) {
   Options some = options;
-  some.budget.time = std::max(seconds, kLeastSeconds);
+  some.budget.time = std::max(seconds, parallel::kLeastSeconds);
   if (!options.noise_bounds.empty()) {
     some.noise_bounds.clear();
     for (const Index i : left) {
@@ -49,9 +49,9 @@ void InstanceOptions::validate() const {
 
 std::vector<Result> register_instances(const PointsRef& source, const PointsRef& target,
                                        const Options& options, const InstanceOptions& instances) {
-  validate_input(source, target, options);
+  problem::validate_input(source, target, options);
   instances.validate();
-  const Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.budget.time, options.stop);
   std::vector<Index> left(static_cast<std::size_t>(source.cols()));
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Result> found;

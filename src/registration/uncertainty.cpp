@@ -1,9 +1,9 @@
 #include "registration/uncertainty.hpp"
 
-#include "consensus/consistent_scales.hpp"
 #include "estimation/covariance.hpp"
+#include "registration/consistent_scales.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 bool scale_is_free(const Options& options) {
@@ -13,17 +13,18 @@ bool scale_is_free(const Options& options) {
 
 }  // namespace
 
-Uncertainty measure_uncertainty(const Similarity& target_from_source, const Correspondences& input,
+Uncertainty measure_uncertainty(const Similarity& target_from_source,
+                                const problem::Correspondences& input,
                                 const std::vector<Index>& inliers, const Options& options,
-                                const Deadline& deadline) {
+                                const parallel::Deadline& deadline) {
   const bool free = scale_is_free(options);
   Uncertainty uncertainty;
-  uncertainty.covariance = estimate_covariance(target_from_source, input.source, input.target,
-                                               input.bounds, inliers, free);
+  uncertainty.covariance = estimation::estimate_covariance(
+      target_from_source, input.source, input.target, input.bounds, inliers, free);
   const double scale = target_from_source.scale;
   uncertainty.consistent_scales = {scale, scale};
   if (!free) return uncertainty;
-  const Correspondences chosen = subset(input, inliers);
+  const problem::Correspondences chosen = problem::subset(input, inliers);
   const Eigen::ArrayXd residuals =
       (chosen.target - target_from_source.apply(chosen.source)).colwise().norm();
   uncertainty.consistent_scales =
@@ -32,4 +33,4 @@ Uncertainty measure_uncertainty(const Similarity& target_from_source, const Corr
   return uncertainty;
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::registration

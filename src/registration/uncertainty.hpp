@@ -3,17 +3,18 @@
 #include <vector>
 
 #include "gmcr/registration.hpp"
-#include "invariants/correspondences.hpp"
 #include "parallel/deadline.hpp"
+#include "problem/correspondences.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 
 /// Covariance and consistent scales of a transform between the frames of `input`.
 /// @param inliers   its consensus set.
 /// @param deadline  ends the intersection of the scales.
 /// @return no covariance where the inliers are on one line to rounding.
-Uncertainty measure_uncertainty(const Similarity& target_from_source, const Correspondences& input,
+Uncertainty measure_uncertainty(const Similarity& target_from_source,
+                                const problem::Correspondences& input,
                                 const std::vector<Index>& inliers, const Options& options,
-                                const Deadline& deadline);
+                                const parallel::Deadline& deadline);
 
-}  // namespace gmcr
+}  // namespace gmcr::registration

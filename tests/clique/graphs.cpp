@@ -68,10 +68,10 @@ BitsetGraph mycielskian(const BitsetGraph& graph) {
   return result;
 }
 
-PackedGraph packed(const BitsetGraph& graph) {
+clique::PackedGraph packed(const BitsetGraph& graph) {
   std::vector<Index> all(static_cast<std::size_t>(graph.num_vertices()));
   std::iota(all.begin(), all.end(), Index{0});
-  PackedGraph result;
+  clique::PackedGraph result;
   result.assign(graph, all);
   return result;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "clique/packed_graph.hpp"
+#include "clique/graph/packed_graph.hpp"
 #include "gmcr/bitset_graph.hpp"
 
 namespace gmcr::test {
@@ -27,7 +27,7 @@ BitsetGraph disjoint_cliques(std::span<const Index> sizes);
 BitsetGraph mycielskian(const BitsetGraph& graph);
 
 /// `graph` with the same numbers, in padded rows.
-PackedGraph packed(const BitsetGraph& graph);
+clique::PackedGraph packed(const BitsetGraph& graph);
 
 BitsetGraph complement_of(const BitsetGraph& graph);
 

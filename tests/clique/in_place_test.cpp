@@ -4,12 +4,13 @@
 
 #include <random>
 
+#include "clique/clique.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
 #include "clique/survivor_search.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 CliqueResult solve(const BitsetGraph& graph, std::size_t max_memory) {
@@ -197,4 +198,4 @@ TEST(CliqueInPlace, ALargeGraphOfWhichMostSurvivesIsSearchedAsWell) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::clique

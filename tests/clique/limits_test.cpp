@@ -5,14 +5,14 @@
 #include <random>
 #include <stdexcept>
 
-#include "clique/branch_and_bound.hpp"
-#include "clique/coloring.hpp"
-#include "clique/degeneracy.hpp"
+#include "clique/graph/colouring.hpp"
+#include "clique/graph/degeneracy.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
+#include "clique/search/branch_and_bound.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 /// What any result promises, whatever ended it.
@@ -252,4 +252,4 @@ TEST(CliqueLimits, OptionsOutOfRangeAreRejectedByName) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::clique

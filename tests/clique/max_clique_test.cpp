@@ -5,7 +5,7 @@
 #include "clique/oracles.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 /// Size of the clique found, once it is verified and proven.
@@ -166,4 +166,4 @@ TEST(MaxClique, GivesTheSameVerticesAndNodesEachTime) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::clique

@@ -8,7 +8,7 @@
 #include "clique/weights.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 constexpr double kRounding = 1e-11;
@@ -209,4 +209,4 @@ TEST(MaxWeightClique, GivesTheSameVerticesAndNodesEachTime) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::clique

@@ -7,13 +7,13 @@
 #include <thread>
 
 #include "clique/arbitrary.hpp"
-#include "clique/core_filter.hpp"
+#include "clique/graph/core_filter.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
 #include "clique/weights.hpp"
 #include "gmcr/clique.hpp"
 
-namespace gmcr {
+namespace gmcr::clique {
 namespace {
 
 CliqueResult solve(const BitsetGraph& graph, CliqueOptions options, int num_threads) {
@@ -170,4 +170,4 @@ RC_GTEST_PROP(CoreFilter, NeverDropsAVertexOfALargerClique, ()) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::clique

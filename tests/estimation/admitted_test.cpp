@@ -12,7 +12,7 @@
 #include "gmcr/metrics.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 using Eigen::Vector3d;
@@ -87,7 +87,7 @@ TEST(AdmittedRotation, OfPointsOnALineUsesWhatIsKnown) {
     priors.gravity = GravityPrior{up, truth * up, 0.01};
     const auto rotation = admitted_rotation(truth * line * line.transpose(), priors);
     ASSERT_TRUE(rotation);
-    EXPECT_LT(angle_between(*rotation * line, truth * line), 1e-6);
+    EXPECT_LT(geometry::angle_between(*rotation * line, truth * line), 1e-6);
   }
 }
 
@@ -179,4 +179,4 @@ TEST(FitPose, OfAPriorThatBindsIsAdmittedAndBeatsASimpleShift) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

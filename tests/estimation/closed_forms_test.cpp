@@ -10,7 +10,7 @@
 #include "gmcr/metrics.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 TEST(EstimateScale, WeighsAMeasurementByTheInverseSquareOfItsAlpha) {
@@ -87,4 +87,4 @@ TEST(MeasureSpread, GivesTheReachFromCentroidAndLine) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -11,7 +11,7 @@
 #include "estimation/similarity_fit.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 constexpr ScaleRange kAnyScale{1e-6, 1e6};
@@ -223,4 +223,4 @@ TEST(EstimateCovariance, OfExactDataIsThatOfRounding) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -9,7 +9,7 @@
 
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 /// Correspondences of a planted pose with noise about as large as their bounds.
@@ -153,4 +153,4 @@ TEST(MinimaxFit, OfFewerThanThreePointsHasNoStep) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -7,7 +7,7 @@
 #include "estimation/similarity_fit.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 Moments moments_of(const Points& source, const Points& target, const Eigen::ArrayXd& bounds) {
@@ -128,4 +128,4 @@ TEST(LeastSquaresBound, OfNothingAndOfOnePointIsZero) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

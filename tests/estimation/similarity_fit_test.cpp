@@ -8,7 +8,7 @@
 #include "gmcr/metrics.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 constexpr ScaleRange kAnyScale{1e-6, 1e6};
@@ -95,4 +95,4 @@ TEST(FitSimilarity, OfCoincidentPointsIsFinite) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

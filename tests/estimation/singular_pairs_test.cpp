@@ -10,7 +10,7 @@
 #include "estimation/rotation.hpp"
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::estimation {
 namespace {
 
 Eigen::Matrix3d with_values(testing::RandomGeometry& random, const Eigen::Vector3d& values) {
@@ -63,4 +63,4 @@ TEST(RotationFromCovariance, IsTheBestOneWhateverTheSignOfTheDeterminant) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::estimation

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 /// Whole numbers, whose squared distances are exact in float whatever the order of the sums.
@@ -139,4 +139,4 @@ TEST(FeatureMatching, DoesNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

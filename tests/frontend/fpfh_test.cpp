@@ -9,7 +9,7 @@
 #include "frontend/normals.hpp"
 #include "frontend/shapes.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::bumpy_sphere;
@@ -114,4 +114,4 @@ TEST(Fpfh, DoesNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -8,7 +8,7 @@
 #include "frontend/shapes.hpp"
 #include "gmcr/frontend.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -91,4 +91,4 @@ TEST(FrontendInput, WithABadSolverOptionThrowsBeforeAnyWork) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -5,7 +5,7 @@
 #include "frontend/shapes.hpp"
 #include "gmcr/frontend.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::bumpy_sphere;
@@ -13,7 +13,7 @@ using testing::random_points;
 using testing::some_motion;
 
 /// Two samples of one surface, the second moved; models of a whole object.
-struct Pair {
+struct paper::Pair {
   Points source = bumpy_sphere(6000, 1);
   Similarity motion = some_motion();
   Points target = motion.apply(bumpy_sphere(6000, 2));
@@ -43,13 +43,13 @@ bool equal(const CloudMatches& a, const CloudMatches& b) {
 }
 
 TEST(MatchClouds, FindsTrueCorrespondencesOfAMovedSurface) {
-  const Pair pair;
+  const paper::Pair pair;
   const CloudMatches matches = match_clouds(pair.source, pair.target, outward());
   EXPECT_GT(count_inliers(matches, pair.motion, matches.noise_bound), 100);
 }
 
 TEST(MatchClouds, GivesThePointsOfTheIndices) {
-  const Pair pair;
+  const paper::Pair pair;
   const CloudMatches m = match_clouds(pair.source, pair.target, outward());
   ASSERT_GT(m.source.cols(), 0);
   EXPECT_EQ(m.source, m.source_voxels(Eigen::all, m.source_indices));
@@ -58,7 +58,7 @@ TEST(MatchClouds, GivesThePointsOfTheIndices) {
 }
 
 TEST(MatchClouds, ChoosesVoxelAndNoiseBoundFromTheSmallerCloud) {
-  const Pair pair;
+  const paper::Pair pair;
   const CloudMatches m = match_clouds(pair.source, 3 * pair.target, outward());
   EXPECT_EQ(m.source_voxel_size, m.target_voxel_size);
   EXPECT_NEAR(m.target_voxel_size, 0.015 * 2, 0.015);
@@ -66,7 +66,7 @@ TEST(MatchClouds, ChoosesVoxelAndNoiseBoundFromTheSmallerCloud) {
 }
 
 TEST(MatchClouds, HasOneVoxelSizeACloudWhereTheScaleIsUnknown) {
-  const Pair pair;
+  const paper::Pair pair;
   Options options;
   options.scale_mode = ScaleMode::Estimated;
   const CloudMatches m = match_clouds(pair.source, 10 * pair.target, outward(), options);
@@ -79,7 +79,7 @@ TEST(MatchClouds, HasOneVoxelSizeACloudWhereTheScaleIsUnknown) {
 }
 
 TEST(MatchClouds, ScalesTheSourceVoxelWithAKnownScale) {
-  const Pair pair;
+  const paper::Pair pair;
   Options options;
   options.scale = 0.25;
   const CloudMatches m = match_clouds(4 * pair.source, pair.target, outward(), options);
@@ -90,7 +90,7 @@ TEST(MatchClouds, ScalesTheSourceVoxelWithAKnownScale) {
 }
 
 TEST(MatchClouds, IsTheSameInMillimetres) {
-  const Pair pair;
+  const paper::Pair pair;
   const CloudMatches metres = match_clouds(pair.source, pair.target, outward());
   const CloudMatches millimetres = match_clouds(1000 * pair.source, 1000 * pair.target, outward());
   EXPECT_NEAR(millimetres.noise_bound / metres.noise_bound, 1000, 1e-6);
@@ -99,7 +99,7 @@ TEST(MatchClouds, IsTheSameInMillimetres) {
 }
 
 TEST(MatchClouds, IsTheSameFarFromTheOrigin) {
-  const Pair pair;
+  const paper::Pair pair;
   const Eigen::Vector3d offset(1e6, -1e6, 1e6);
   const CloudMatches near = match_clouds(pair.source, pair.target, outward());
   const CloudMatches far =
@@ -113,7 +113,7 @@ TEST(MatchClouds, IsTheSameFarFromTheOrigin) {
 }
 
 TEST(MatchClouds, DoesNotDependOnTheNumberOfThreads) {
-  const Pair pair;
+  const paper::Pair pair;
   Options options;
   options.num_threads = 1;
   const CloudMatches one = match_clouds(pair.source, pair.target, outward(), options);
@@ -124,7 +124,7 @@ TEST(MatchClouds, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(MatchClouds, ReportsItsStages) {
-  const Pair pair;
+  const paper::Pair pair;
   const CloudMatches m = match_clouds(pair.source, pair.target, outward());
   ASSERT_EQ(m.stages.size(), 4u);
   EXPECT_EQ(m.stages[0].name, "voxel");
@@ -134,7 +134,7 @@ TEST(MatchClouds, ReportsItsStages) {
 }
 
 TEST(MatchClouds, EachOptionChangesTheMatches) {
-  const Pair pair;
+  const paper::Pair pair;
   const auto match = [&](const FrontendOptions& f) {
     return match_clouds(pair.source, pair.target, f);
   };
@@ -193,4 +193,4 @@ TEST(MatchClouds, OfAVoxelTooSmallToNumberThrows) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -7,7 +7,7 @@
 
 #include "frontend/shapes.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::random_points;
@@ -61,4 +61,4 @@ TEST(Neighbourhoods, DoNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -4,7 +4,7 @@
 
 #include "frontend/shapes.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::bumpy_sphere;
@@ -80,4 +80,4 @@ TEST(Normals, DoNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -7,7 +7,7 @@
 #include "frontend/normals.hpp"
 #include "frontend/shapes.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::bumpy_sphere;
@@ -49,4 +49,4 @@ TEST(Open3dOracle, ComputesTheSameFpfh) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -11,7 +11,7 @@
 #include "gmcr/frontend.hpp"
 #include "gmcr/metrics.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(Frontend, RealPair,
                                            "3dmatch/redkitchen_4_0"));
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -6,7 +6,7 @@
 #include "gmcr/frontend.hpp"
 #include "gmcr/metrics.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::bumpy_sphere;
@@ -211,4 +211,4 @@ TEST(RegisterClouds, VerdictsHaveNames) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

@@ -10,7 +10,7 @@
 
 #include "frontend/shapes.hpp"
 
-namespace gmcr {
+namespace gmcr::frontend {
 namespace {
 
 using testing::random_points;
@@ -108,4 +108,4 @@ RC_GTEST_PROP(VoxelGrid, IsPermutedInputGivesTheSameMeans, ()) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::frontend

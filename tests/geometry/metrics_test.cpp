@@ -7,7 +7,7 @@
 
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::geometry {
 namespace {
 
 Eigen::Matrix3d turn(double degrees) {
@@ -51,4 +51,4 @@ TEST(MeanPointError, RefusesNoPoints) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::geometry

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gmcr {
+namespace gmcr::geometry {
 namespace {
 
 using Eigen::Vector3d;
@@ -89,4 +89,4 @@ TEST(Priors, NameTheFieldThatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::geometry

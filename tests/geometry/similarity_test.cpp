@@ -7,7 +7,7 @@
 
 #include "random_geometry.hpp"
 
-namespace gmcr {
+namespace gmcr::geometry {
 namespace {
 
 TEST(Similarity, MapsAPointByScaleThenRotationThenTranslation) {
@@ -67,4 +67,4 @@ TEST(Similarity, FromMatrixRefusesWhatIsNoSimilarity) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::geometry

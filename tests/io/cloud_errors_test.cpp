@@ -4,7 +4,7 @@
 #include "io/expect_io_error.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -193,4 +193,4 @@ TEST(Cloud, ThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -8,7 +8,7 @@
 #include "gmcr/io.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -170,4 +170,4 @@ TEST(ReadCloud, TakesBothOrdersAndTypesOfNpy) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -4,7 +4,7 @@
 #include "io/expect_io_error.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -87,4 +87,4 @@ TEST_F(GraphText, OfAnotherKindIsRefused) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -7,7 +7,7 @@
 #include "io/expect_io_error.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -134,4 +134,4 @@ TEST(WriteMatches, RefusesSidesOfDifferentLengthAndBadBounds) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -5,7 +5,7 @@
 #include "gmcr/io.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -90,4 +90,4 @@ TEST(ReadCloud, PrintsNothing) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -5,7 +5,7 @@
 #include "data_folder.hpp"
 #include "gmcr/io.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using testing::data_folder;
@@ -47,4 +47,4 @@ TEST_F(RealData, ClaimedPosesAreSimilaritiesNearTheRefinedOnes) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

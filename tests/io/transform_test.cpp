@@ -7,7 +7,7 @@
 #include "io/expect_io_error.hpp"
 #include "io/temporary_folder.hpp"
 
-namespace gmcr {
+namespace gmcr::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -56,4 +56,4 @@ TEST(WriteIndices, WritesOneALine) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::io

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "consensus/scale_bins.hpp"
 #include "for_each_isa.hpp"
 #include "random_geometry.hpp"
+#include "search/scale_bins.hpp"
 
 namespace gmcr {
 namespace {
@@ -40,7 +40,7 @@ TEST(ScaleRow, GivesTheBinsOfTheReferenceOnEveryInstructionSet) {
     for (const Index count : {1, 2, 3, 4, 7, 8, 9, 63, 64, 65, 200}) {
       const auto arrays = random_arrays(static_cast<std::uint64_t>(count), count);
       for (const ScaleRange& range : {ScaleRange{0.05, 20}, {1, 1}, {1e-300, 1e300}}) {
-        const ScaleBins bins(range, 1.02);
+        const search::ScaleBins bins(range, 1.02);
         std::vector<kernels::BinSpan> spans(static_cast<std::size_t>(count));
         for (Index i = 0; i < count; ++i) {
           for (const Index begin : {Index{0}, i + 1}) {
@@ -67,7 +67,7 @@ TEST(AgreeingBins, AreThoseWhereThePairIsConsistent) {
   arrays.source.row(5) = arrays.source.row(4);
   arrays.source.row(7) = arrays.source.row(6);
   arrays.target.row(7) = arrays.target.row(6);
-  const ScaleBins bins({0.1, 20}, 1.1);
+  const search::ScaleBins bins({0.1, 20}, 1.1);
   Index num_touched = 0;
   for (Index i = 0; i < count; ++i) {
     for (Index j = 0; j < i; ++j) {
@@ -86,7 +86,7 @@ TEST(AgreeingBins, AreThoseWhereThePairIsConsistent) {
 
 TEST(CoveredBins, AreNoneMissedAndNoneButNeighboursTooMany) {
   testing::RandomGeometry random(1);
-  const ScaleBins bins({0.05, 50}, 1.02);
+  const search::ScaleBins bins({0.05, 50}, 1.02);
   for (int trial = 0; trial < 2000; ++trial) {
     double lower = std::exp(random.uniform(-4, 5)), upper = lower * std::exp(random.uniform(0, 2));
     if (trial % 10 == 0) lower = bins[random.index(bins.size())].max;  // exactly on an edge
@@ -104,7 +104,7 @@ TEST(CoveredBins, AreNoneMissedAndNoneButNeighboursTooMany) {
 }
 
 TEST(CoveredBins, OfNoNumberAreNoneAndOfAllScalesAreAll) {
-  const ScaleBins bins({0.5, 2}, 1.02);
+  const search::ScaleBins bins({0.5, 2}, 1.02);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(kernels::covered_bins(bins.cells(), nan, 1, 0), kernels::BinSpan{});
   EXPECT_EQ(kernels::covered_bins(bins.cells(), 1, nan, 0), kernels::BinSpan{});

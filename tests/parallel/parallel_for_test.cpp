@@ -10,7 +10,7 @@
 
 #include "parallel/deadline.hpp"
 
-namespace gmcr {
+namespace gmcr::parallel {
 namespace {
 
 TEST(ParallelFor, VisitsEachIndexOnce) {
@@ -73,4 +73,4 @@ TEST(Deadline, OfZeroSecondsHasPassedAndOfInfinityNeverDoes) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::parallel

@@ -6,7 +6,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
@@ -297,4 +297,4 @@ TEST(RegisterCorrespondences, ReportsWhatItDid) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -5,7 +5,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
@@ -165,4 +165,4 @@ TEST(EdgeCases, ABoundThatHoldsEverythingIsCertifiedAndDegenerate) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

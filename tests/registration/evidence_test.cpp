@@ -6,7 +6,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 /// 10 true matches against 15 that follow a wrong pose, 12 of them copies of one.
@@ -103,4 +103,4 @@ TEST(Evidence, IsWhatTheJointSearchProvesToo) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

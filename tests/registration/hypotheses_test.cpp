@@ -9,7 +9,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::Problem;
@@ -200,4 +200,4 @@ TEST(Hypotheses, OfATriangleThatNoPoseHoldsAreNone) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

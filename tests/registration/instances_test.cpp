@@ -12,7 +12,7 @@
 #include "gmcr/synthetic.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 /// Three instances of one source in a target, 30, 22 and 16 matches, mixed with 32 random ones.
@@ -219,4 +219,4 @@ TEST(RegisterInstances, EndsWhenAllMatchesAreUsedUp) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "kernels/for_each_isa.hpp"
-#include "registration/problems.hpp"
+#include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 void expect_same(const Result& a, const Result& b) {
@@ -52,4 +52,4 @@ TEST(InstructionSets, GiveTheSameAnswerByTheMethodOfThePaper) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -8,7 +8,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
@@ -115,4 +115,4 @@ RC_GTEST_PROP(Laws, RescalingTheTargetRescalesTheEstimatedScale, ()) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

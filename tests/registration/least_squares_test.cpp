@@ -6,7 +6,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::Problem;
@@ -156,4 +156,4 @@ TEST(LeastSquares, OfThreeCollinearInliersIsDegenerate) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

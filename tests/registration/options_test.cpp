@@ -10,7 +10,7 @@
 
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 struct BadOption {
@@ -118,4 +118,4 @@ TEST(RegisterCorrespondences, RefusesInputThatBreaksTheContract) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -10,7 +10,7 @@
 #include "gmcr/metrics.hpp"
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using Eigen::Vector3d;
@@ -272,4 +272,4 @@ TEST(Priors, AreCheckedBeforeAnyWork) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

@@ -5,7 +5,7 @@
 
 #include "problems.hpp"
 
-namespace gmcr {
+namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
@@ -105,4 +105,4 @@ TEST(EvaluateUncertainty, RefusesAnIndexOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::registration

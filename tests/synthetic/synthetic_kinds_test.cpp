@@ -10,7 +10,7 @@
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
 
-namespace gmcr {
+namespace gmcr::synthetic {
 namespace {
 
 std::vector<SyntheticOptions> every_kind() {
@@ -284,4 +284,4 @@ TEST(SyntheticStructured, AssociationErrorsAreThereUnlessTurnedOff) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::synthetic

@@ -7,7 +7,7 @@
 
 #include "gmcr/synthetic.hpp"
 
-namespace gmcr {
+namespace gmcr::synthetic {
 namespace {
 
 SyntheticOptions with(SyntheticOptions options, void (*change)(SyntheticOptions&)) {
@@ -97,4 +97,4 @@ TEST(SyntheticModel, WithoutExtentOrFinitePointsIsRejected) {
 }
 
 }  // namespace
-}  // namespace gmcr
+}  // namespace gmcr::synthetic

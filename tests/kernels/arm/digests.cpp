@@ -38,7 +38,7 @@ class Digest {
   unsigned long long hash_ = 0xcbf29ce484222325;
 };
 
-class Random {
+class synthetic::Random {
  public:
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
@@ -54,7 +54,7 @@ class Random {
   std::mt19937_64 generator_{7};
 };
 
-kernels::CorrespondenceArrays matched_arrays(Random& random, Index count) {
+kernels::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index count) {
   kernels::CorrespondenceArrays arrays{random.points(count), random.points(count),
                                        Eigen::ArrayXd::Constant(count, 0.01)};
   for (Index i = 0; i < count; i += 3) {
@@ -81,7 +81,7 @@ void digest_consistency(const char* name, const kernels::CorrespondenceArrays& a
   tiles.print((std::string("consistency_tiles ") + name).c_str());
 }
 
-void digest_residuals(Random& random, const kernels::CorrespondenceArrays& arrays) {
+void digest_residuals(synthetic::Random& random, const kernels::CorrespondenceArrays& arrays) {
   gmcr::Similarity pose;
   pose.scale = 1.01;
   pose.rotation << 2, -1, 2, 2, 2, -1, -1, 2, 2;
@@ -97,7 +97,7 @@ void digest_residuals(Random& random, const kernels::CorrespondenceArrays& array
   consensus.print("consensus");
 }
 
-void digest_rotation(Random& random, Index count) {
+void digest_rotation(synthetic::Random& random, Index count) {
   kernels::DirectionArrays arrays{random.points(count), random.points(count), Eigen::ArrayXd(count),
                                   Eigen::ArrayXd(count)};
   for (Index k = 0; k < count; ++k) {
@@ -146,7 +146,7 @@ void digest_scales(const kernels::CorrespondenceArrays& arrays) {
 }
 
 /// A search makes hundreds of choices, in rows of each width that has loops of its own.
-void digest_branches(Random& random) {
+void digest_branches(synthetic::Random& random) {
   for (const Index num_vertices : {120, 400, 700, 1300}) {
     gmcr::BitsetGraph graph(num_vertices);
     for (Index u = 0; u < num_vertices; ++u) {
@@ -166,7 +166,7 @@ void digest_branches(Random& random) {
   }
 }
 
-void digest_bits(Random& random) {
+void digest_bits(synthetic::Random& random) {
   Digest rows, blocks, chosen;
   for (Index words = 0; words < 70; ++words) {
     std::vector<std::uint64_t> a(static_cast<std::size_t>(words)), b(a);
@@ -196,7 +196,7 @@ void digest_bits(Random& random) {
 }  // namespace
 
 int main() {
-  Random random;
+  synthetic::Random random;
   auto arrays = matched_arrays(random, 700);
   digest_consistency("one scale", arrays, 1, 1);
   digest_consistency("a range", arrays, 0.8, 1.2);

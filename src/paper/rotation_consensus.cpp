@@ -1,0 +1,65 @@
+#include "paper/rotation_consensus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "problem/graph_rows.hpp"
+#include "problem/symmetric_blocks.hpp"
+
+namespace gmcr::paper {
+namespace {
+
+/// Cosine of the half-angle of the cone that a TIM admits; nullopt where it admits none.
+std::optional<double> cone_cosine(double source_length, double target_length, double bound) {
+  if (bound >= source_length + target_length) return -1.0;
+  if (std::abs(target_length - source_length) > bound) return std::nullopt;
+  const double cosine =
+      (target_length * target_length + source_length * source_length - bound * bound) /
+      (2 * source_length * target_length);
+  return std::clamp(cosine, -1.0, 1.0);
+}
+
+Eigen::RowVector3d direction(const Eigen::Vector3d& vector, double length) {
+  // a vector of length 0 has a cone of pi: any direction will do
+  return length > 0 ? (vector / length).transpose().eval() : Eigen::RowVector3d(1, 0, 0);
+}
+
+}  // namespace
+
+RotationCones rotation_cones(const Tims& tims, double scale) {
+  RotationCones cones;
+  std::vector<double> cosines;
+  for (Index k = 0; k < tims.size(); ++k) {
+    const auto cosine =
+        cone_cosine(scale * tims.source.col(k).norm(), tims.target.col(k).norm(), tims.bounds[k]);
+    if (!cosine) continue;
+    cones.tims.push_back(k);
+    cosines.push_back(*cosine);
+  }
+  const auto count = static_cast<Index>(cosines.size());
+  kernels::DirectionArrays& directions = cones.directions;
+  directions.cos_gamma = Eigen::Map<const Eigen::ArrayXd>(cosines.data(), count);
+  directions.sin_gamma = (1 - directions.cos_gamma.square()).max(0).sqrt();
+  directions.source.resize(count, 3);
+  directions.target.resize(count, 3);
+  for (Index row = 0; row < count; ++row) {
+    const Index k = cones.tims[static_cast<std::size_t>(row)];
+    directions.source.row(row) = direction(tims.source.col(k), tims.source.col(k).norm());
+    directions.target.row(row) = direction(tims.target.col(k), tims.target.col(k).norm());
+  }
+  return cones;
+}
+
+BitsetGraph rotation_graph(const RotationCones& cones, int num_threads,
+                           const parallel::Deadline& deadline) {
+  BitsetGraph graph = problem::graph_from_rows(
+      cones.directions.size(), num_threads, deadline, [&](Index k, std::span<std::uint64_t> row) {
+        kernels::rotation_row(cones.directions, k, row, k / BitsetGraph::kBitsPerWord);
+      });
+  problem::mirror_upper_blocks(graph, num_threads);
+  return graph;
+}
+
+}  // namespace gmcr::paper

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gmcr/types.hpp"
+#include "problem/correspondences.hpp"
+
+namespace gmcr::paper {
+
+/// An unordered pair of correspondences, first < second.
+struct Pair {
+  Index first = 0, second = 0;
+};
+
+/// Translation invariant measurements (paper, eq:corresp_est:tims): differences of point pairs.
+struct Tims {
+  std::vector<Pair> pairs;
+  Points source, target;  ///< 3 x K: abar_k = a_second - a_first, bbar_k likewise, metres
+  Eigen::ArrayXd bounds;  ///< K values: eps_k = eps_first + eps_second, metres
+
+  Index size() const { return source.cols(); }
+};
+
+/// TIMs of the given pairs. Cost O(K).
+Tims make_tims(const problem::Correspondences& correspondences, std::vector<Pair> pairs);
+
+/// All N (N - 1) / 2 pairs in lexicographic order.
+std::vector<Pair> all_pairs(Index num_correspondences);
+
+/// Scale invariant measurements of the TIMs (paper, eq:corresp_est:trims) and their intervals (L1).
+struct ScaleMeasurements {
+  Eigen::ArrayXd scale;         ///< s_k = |bbar_k| / |abar_k|; infinite where abar_k = 0
+  Eigen::ArrayXd alpha;         ///< alpha_k = eps_k / |abar_k|; infinite where abar_k = 0
+  Eigen::ArrayXd lower, upper;  ///< [s_k - alpha_k, s_k + alpha_k], all of R or empty (lower >
+                                ///< upper) where abar_k = 0
+};
+
+/// Deviation: eq:consensus:scale multiplies alpha_k by the threshold c where the objective that it
+/// comes from divides by c. The bounds here are divided by c already.
+ScaleMeasurements measure_scales(const Tims& tims);
+
+}  // namespace gmcr::paper

@@ -1,0 +1,78 @@
+#include "problem/distinct_evidence.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "problem/close_pairs.hpp"
+
+namespace gmcr::problem {
+namespace {
+
+/// The scale up to which two correspondences with near targets are partners.
+double max_scale_of(const Correspondences& c, Index i, Index j, double reach) {
+  const double length = (c.source.col(j) - c.source.col(i)).norm();
+  return length > 0 ? reach / length : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+DistinctEvidence::DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
+                                   const Octaves& octaves, const ScaleRange& scales)
+    : octaves_(octaves) {
+  const ScaleRange centres{octaves.centre_of(scales.min), octaves.centre_of(scales.max)};
+  const Correspondences& c = correspondences;
+  const Eigen::ArrayXd reaches = kReach * c.bounds;
+  const auto n = static_cast<std::size_t>(c.size());
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  const std::size_t max_entries = max_bytes / sizeof(double);
+  std::size_t num_near = 0;
+  always_.assign(n, 0);
+  first_.assign(n + 1, 0);
+  complete_ = for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
+    num_near += 2;
+    const double max_scale = max_scale_of(c, i, j, reach);
+    if (max_scale >= centres.max) {
+      ++always_[at(i)];
+      ++always_[at(j)];
+      has_partners_ = true;
+    } else if (max_scale >= centres.min) {
+      ++first_[at(i) + 1];
+      ++first_[at(j) + 1];
+    }
+    return num_near <= max_entries;
+  });
+  if (!complete_) has_partners_ = false;
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  if (!complete_ || first_.back() == 0) return;
+
+  has_partners_ = true;
+  max_scales_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end());
+  for_each_near_pair(c.target, reaches, [&](Index i, Index j, double reach) {
+    const double max_scale = max_scale_of(c, i, j, reach);
+    if (max_scale < centres.max && max_scale >= centres.min) {
+      max_scales_[next[at(i)]++] = max_scale;
+      max_scales_[next[at(j)]++] = max_scale;
+    }
+    return true;
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    std::sort(max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+              max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]), std::greater<>());
+  }
+}
+
+double DistinctEvidence::weight(Index i, double scale) const {
+  if (!complete_) return 1;
+  const double centre = octaves_.centre_of(scale);
+  const auto place = static_cast<std::size_t>(i);
+  const auto begin = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place]);
+  const auto end = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place + 1]);
+  const auto listed =
+      std::partition_point(begin, end, [&](double max_scale) { return centre <= max_scale; }) -
+      begin;
+  return 1.0 / (1.0 + static_cast<double>(always_[place] + listed));
+}
+
+}  // namespace gmcr::problem

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "gmcr/options.hpp"
+#include "problem/correspondences.hpp"
+#include "problem/scale_buckets.hpp"
+
+namespace gmcr::problem {
+
+/// Weights of distinct evidence (L6).
+///
+/// A pair with |bbar_k| <= eps_k and s |abar_k| <= eps_k constrains neither scale nor rotation, and
+/// one a little longer hardly does: its two members are one piece of evidence seen twice.
+/// Correspondence i weighs
+///   w_i(s) = 1 / (1 + number of its partners at scale s),
+/// partners being the pairs with |bbar_k| <= kReach eps_k and o |abar_k| <= kReach eps_k, where o
+/// is the centre of the octave of s: were it s itself, partners would be lost one by one as s
+/// grows, and the pose of most evidence would be one whose scale is some per cent too large.
+class DistinctEvidence {
+ public:
+  /// Partners at half as much again as the design's 1 tell clusters of outliers from inliers where
+  /// these are few; farther ones would take dense inliers for copies.
+  static constexpr double kReach = 1.5;
+
+  static constexpr ScaleRange kAllScales{0, std::numeric_limits<double>::infinity()};
+
+  /// Finds all pairs that can be partners at some scale in the range. Cost O(N log N + pairs of
+  /// near targets).
+  /// @param max_bytes  for the pairs of near targets, as if all were listed. Where it does not
+  ///   suffice, `complete()` is false and every weight is 1.
+  /// @param scales     at which weights are asked for; in one octave nothing is listed.
+  DistinctEvidence(const Correspondences& correspondences, std::size_t max_bytes,
+                   const Octaves& octaves, const ScaleRange& scales = kAllScales);
+
+  bool complete() const { return complete_; }
+
+  /// Whether any weight is less than 1 at some scale.
+  bool has_partners() const { return has_partners_; }
+
+  /// Whether a weight differs from scale to scale in the range.
+  bool depends_on_scale() const { return !max_scales_.empty(); }
+
+  /// w_i(scale), of the nearest scale in the range; it does not fall as the scale grows. Cost
+  /// O(log number of partners).
+  double weight(Index i, double scale) const;
+
+ private:
+  Octaves octaves_;
+  bool complete_ = true;
+  bool has_partners_ = false;
+  std::vector<Index> always_;       ///< partners at every scale in the range
+  std::vector<std::size_t> first_;  ///< N + 1 offsets into max_scales_
+  /// Per correspondence, descending: up to which scale one of the other partners is one.
+  std::vector<double> max_scales_;
+};
+
+}  // namespace gmcr::problem

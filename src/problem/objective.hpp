@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gmcr/options.hpp"
+#include "gmcr/similarity.hpp"
+#include "problem/correspondences.hpp"
+#include "problem/distinct_evidence.hpp"
+
+namespace gmcr::problem {
+
+constexpr Index kMinInliers = 3;  ///< that determine a pose
+
+/// A pose, between the centred frames, with all that the objective says of it.
+struct Hypothesis {
+  Similarity target_from_source;
+  std::vector<Index> inliers;  ///< its consensus set, ascending
+  double evidence = 0;         ///< sum of the weights of the inliers: what is maximised
+  double quadratic = 0;        ///< sum over all of min(residual^2 / eps^2, 1): decides ties
+
+  Index num_inliers() const { return static_cast<Index>(inliers.size()); }
+};
+
+/// Whether `a` is the better answer: more evidence, or as much with a closer fit.
+bool is_better(const Hypothesis& a, const Hypothesis& b);
+
+/// Whether two consensus sets, ascending, are of the same pose: they share more than half of the
+/// smaller one.
+bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b);
+
+/// The objective itself, on all correspondences (paper, eq:pcr_maxcon, and L6).
+class Objective {
+ public:
+  /// Keeps a reference to `correspondences`.
+  /// @param max_bytes  memory that the evidence weights may take.
+  /// @param scales     where the scale of all poses lies; in one octave a weight costs nothing.
+  /// @param octaves    by which the weights differ.
+  Objective(const Correspondences& correspondences, Evidence evidence, std::size_t max_bytes,
+            const ScaleRange& scales = DistinctEvidence::kAllScales,
+            const Octaves& octaves = Octaves(1));
+
+  const Correspondences& correspondences() const { return correspondences_; }
+  const Octaves& octaves() const { return octaves_; }
+
+  /// Evidence that correspondence i gives at a scale, in (0, 1].
+  double weight(Index i, double scale) const {
+    return weights_.size() > 0 ? weights_[i] : distinct_->weight(i, scale);
+  }
+
+  /// Whether some correspondence gives less evidence than 1 at some scale.
+  bool is_weighted() const { return distinct_ && distinct_->has_partners(); }
+
+  /// Whether weights differ from scale to scale.
+  bool weights_depend_on_scale() const { return weights_.size() != correspondences_.size(); }
+
+  /// Evidence that the given correspondences give together at a scale.
+  double evidence_of(const std::vector<Index>& indices, double scale) const;
+
+  /// Whether the memory sufficed for the weights; if not, each is 1.
+  bool weights_complete() const { return !distinct_ || distinct_->complete(); }
+
+  /// Correspondences whose residual is at most `factor` times their bound, ascending.
+  std::vector<Index> within(const Similarity& target_from_source, double factor) const;
+
+  /// Consensus set and score of a pose.
+  Hypothesis judge(const Similarity& target_from_source) const;
+
+ private:
+  const Correspondences& correspondences_;
+  Octaves octaves_;
+  Eigen::MatrixX3d source_, target_;
+  Eigen::ArrayXd squared_bounds_;
+  std::optional<DistinctEvidence> distinct_;
+  Eigen::ArrayXd weights_;  ///< where they do not depend on the scale
+};
+
+}  // namespace gmcr::problem

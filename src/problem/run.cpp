@@ -1,0 +1,111 @@
+#include "problem/run.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace gmcr::problem {
+namespace {
+
+/// Word operations that the search for a clique of most evidence may take: what small graphs need,
+/// and no more than some passes over large ones.
+std::uint64_t max_work(const BitsetGraph& graph) {
+  constexpr std::uint64_t kLeast = std::uint64_t{1} << 22;
+  constexpr std::uint64_t kPasses = 4;
+  return kLeast + kPasses * static_cast<std::uint64_t>(graph.num_vertices()) *
+                      static_cast<std::uint64_t>(graph.words_per_row());
+}
+
+/// Bytes that the graph leaves of the budget to copies of parts of it: half of the rest, at most
+/// half as many as it takes itself and some more.
+std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
+  constexpr std::size_t kSome = std::size_t{1} << 26;
+  const std::size_t bytes = BitsetGraph::bytes_required(graph.num_vertices());
+  return std::min((budget - std::min(budget, bytes)) / 2, bytes / 2 + kSome);
+}
+
+}  // namespace
+
+SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
+    : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time, options.stop) {}
+
+bool SolveContext::stopped() {
+  if (cancelled_ || options_.stop.stop_requested()) {
+    limit({Limit::Stopped, "the caller stopped the search"});
+    return true;
+  }
+  if (!deadline_.expired()) return false;
+  limit({Limit::Time, "the time budget ended the search"});
+  return true;
+}
+
+void SolveContext::report(const char* stage, double fraction) {
+  if (!options_.progress || cancelled_) return;
+  cancelled_ = !options_.progress(Progress{stage, std::clamp(fraction, 0.0, 1.0)});
+}
+
+void SolveContext::limit(const LimitHit& hit) {
+  auto& limits = diagnostics_.limits_hit;
+  if (std::find(limits.begin(), limits.end(), hit) == limits.end()) limits.push_back(hit);
+}
+
+SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index must_exceed,
+                                              std::uint64_t max_nodes) {
+  // the graph itself may have been cut short, so that its bounds say nothing
+  if (stopped()) return {{}, static_cast<double>(graph.num_vertices()), false};
+  CliqueOptions clique_options;
+  clique_options.time_limit = deadline_.remaining();
+  clique_options.stop = options_.stop;
+  clique_options.max_nodes = max_nodes;
+  clique_options.must_exceed = must_exceed;
+  clique_options.num_threads = options_.num_threads;
+  clique_options.max_memory = memory_left(graph, options_.budget.memory);
+  CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
+                                              : gmcr::max_clique(graph, clique_options);
+  diagnostics_.num_clique_nodes += found.nodes;
+  const bool is_larger = static_cast<Index>(found.vertices.size()) > must_exceed;
+  return {is_larger ? std::move(found.vertices) : std::vector<Index>(),
+          static_cast<double>(found.upper_bound), found.proven_optimal};
+}
+
+SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
+                                                     std::span<const double> weights,
+                                                     double must_exceed, std::uint64_t max_nodes) {
+  if (stopped()) {
+    return {{}, std::accumulate(weights.begin(), weights.end(), 0.0) * (1 + 1e-9), false};
+  }
+  WeightedCliqueOptions clique_options;
+  clique_options.time_limit = deadline_.remaining();
+  clique_options.stop = options_.stop;
+  clique_options.max_nodes = max_nodes;
+  clique_options.max_work = max_work(graph);
+  clique_options.max_memory = memory_left(graph, options_.budget.memory);
+  clique_options.must_exceed = must_exceed;
+  clique_options.num_threads = options_.num_threads;
+  WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
+  diagnostics_.num_clique_nodes += found.nodes;
+  return {found.weight > must_exceed ? std::move(found.vertices) : std::vector<Index>(),
+          found.upper_bound, found.proven_optimal};
+}
+
+void SolveContext::require_memory_for_graph(Index num_vertices) const {
+  const std::size_t bytes = BitsetGraph::bytes_required(num_vertices);
+  if (bytes <= options_.budget.memory) return;
+  throw std::invalid_argument("budget.memory: " + std::to_string(options_.budget.memory) +
+                              " bytes, but the consistency graph of " +
+                              std::to_string(num_vertices) + " correspondences takes " +
+                              std::to_string(bytes));
+}
+
+void SolveContext::add_stage_time(const char* stage, double seconds) {
+  for (StageTime& known : diagnostics_.stages) {
+    if (known.name == stage) {
+      known.seconds += seconds;
+      return;
+    }
+  }
+  diagnostics_.stages.push_back({stage, seconds});
+}
+
+}  // namespace gmcr::problem

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+
+namespace gmcr::problem {
+
+/// Scales in octaves: those of which the same power of two, times the centre, is the nearest by
+/// ratio.
+class Octaves {
+ public:
+  /// @param centre  of one of the octaves, > 0, finite.
+  explicit Octaves(double centre) : centre_(centre) {}
+
+  /// Centre of the octave of a scale, >= 0. It does not fall as the scale grows. Scales whose ratio
+  /// to the centre is no double, such as 0 and infinity, stay what they are.
+  double centre_of(double scale) const {
+    const double ratio = scale / centre_;
+    if (ratio == 0 || std::isinf(ratio)) return scale;
+    int exponent = 0;
+    const double mantissa = std::frexp(ratio, &exponent);  // in [0.5, 1)
+    return std::ldexp(centre_, mantissa < kSqrtHalf ? exponent - 1 : exponent);
+  }
+
+  /// What divides an octave into `count` even parts: edge 0 is the end of an octave, by a rounding
+  /// below it; edge `count` that of the next one.
+  double edge(int k, int count) const {
+    const int octave = static_cast<int>(std::floor(static_cast<double>(k) / count));
+    const double share = static_cast<double>(k - octave * count) / count;
+    return std::ldexp(centre_ * kEnd * std::exp2(share), octave);
+  }
+
+ private:
+  static constexpr double kSqrtHalf = 0.70710678118654752;
+  static constexpr double kEnd = kSqrtHalf * (1 - 1e-14);
+
+  double centre_;
+};
+
+}  // namespace gmcr::problem

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "estimation/pose_constraints.hpp"
+#include "problem/objective.hpp"
+
+namespace gmcr::refine {
+
+/// The best pose so far, which others have to beat.
+struct Rival {
+  const problem::Hypothesis* best = nullptr;  ///< null: none yet
+  bool settled = false;  ///< many poses near it were no better: no more are tried
+
+  double evidence() const { return best ? best->evidence : 0; }
+
+  /// Whether a consensus set is of a pose near it. Small sets, and those of little evidence, share
+  /// most of it by chance: nothing is near them.
+  bool is_near(const std::vector<Index>& inliers) const {
+    constexpr Index kMinMembers = 15;
+    constexpr double kMinEvidence = 6;
+    return best && best->num_inliers() >= kMinMembers && best->evidence >= kMinEvidence &&
+           problem::shares_most(inliers, best->inliers);
+  }
+};
+
+/// Best pose met while fitting to the consensus set of the pose, again and again: within 2 eps, 1.5
+/// eps, then eps until the set no longer changes.
+/// @param constraints  what the pose must satisfy.
+/// @param rival  where those within 1.5 eps give no more evidence after the first fit, that fit is
+///   the last; it is null where no pose is better than any.
+/// @return never worse than `start` by the objective; nullopt where a settled rival is near.
+std::optional<problem::Hypothesis> optimise_locally(const problem::Objective& objective,
+                                                    const estimation::PoseConstraints& constraints,
+                                                    const Similarity& start,
+                                                    const Rival& rival = {});
+
+/// Tries to hold all of the given correspondences by fits that approach the pose of least largest
+/// residual over them (Lawson 1961).
+/// @return never worse than `best` by the objective.
+problem::Hypothesis hold_all(const problem::Objective& objective,
+                             const estimation::PoseConstraints& constraints,
+                             const std::vector<Index>& indices, problem::Hypothesis best);
+
+/// Tries to bring correspondences just outside the consensus set inside it.
+///
+/// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the
+/// worst residuals up, iteration by iteration, approach the pose of least largest residual (Lawson
+/// 1961); the correspondence that holds it back most is given up, and so on.
+/// @param must_exceed  evidence of a rival: nothing is tried where all within reach give no more.
+/// @return never worse than `best` by the objective.
+problem::Hypothesis reach_for_more(const problem::Objective& objective,
+                                   const estimation::PoseConstraints& constraints,
+                                   problem::Hypothesis best, double must_exceed = 0);
+
+}  // namespace gmcr::refine

@@ -1,0 +1,85 @@
+#include "refine/pose_neighbourhood.hpp"
+
+#include "estimation/constrained_fit.hpp"
+#include "estimation/moments.hpp"
+#include "kernels/residuals.hpp"
+
+namespace gmcr::refine {
+
+namespace {
+
+/// Sum of term(k) for all k < count, in a fixed order that vector registers can follow.
+template <typename Term>
+double sum_in_lanes(Index count, const Term& term) {
+  constexpr Index kLanes = 4;
+  double lanes[kLanes] = {};
+  Index k = 0;
+  for (; k + kLanes <= count; k += kLanes) {
+    for (Index lane = 0; lane < kLanes; ++lane) lanes[lane] += term(k + lane);
+  }
+  for (; k < count; ++k) lanes[0] += term(k);
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+}  // namespace
+
+NearSet::NearSet(const problem::Objective& objective, const Similarity& pose, double factor)
+    : objective_(objective),
+      indices_(objective.within(pose, factor)),
+      source_(objective.correspondences().source(Eigen::all, indices_).transpose()),
+      target_(objective.correspondences().target(Eigen::all, indices_).transpose()),
+      inverse_squared_bounds_(objective.correspondences().bounds(indices_).square().inverse()) {
+  if (objective.weights_depend_on_scale()) return;
+  weights_.resize(static_cast<Index>(indices_.size()));
+  for (Index k = 0; k < weights_.size(); ++k) {
+    weights_[k] = objective.weight(indices_[static_cast<std::size_t>(k)], 1);
+  }
+}
+
+Eigen::ArrayXd NearSet::relative_squares(const Similarity& pose) const {
+  return kernels::squared_residuals(pose, source_, target_) * inverse_squared_bounds_;
+}
+
+std::optional<Similarity> NearSet::fit(const Eigen::ArrayXd& relative_squares, double factor,
+                                       const estimation::PoseConstraints& constraints) const {
+  const auto chosen = relative_squares <= factor * factor;
+  if (chosen.count() < problem::kMinInliers) return std::nullopt;
+  return estimation::fit_pose(
+      estimation::measure_moments(source_, target_, chosen.select(inverse_squared_bounds_, 0.0)),
+      constraints);
+}
+
+std::vector<Index> NearSet::within(const Eigen::ArrayXd& relative_squares, double factor) const {
+  std::vector<Index> chosen;
+  for (Index k = 0; k < relative_squares.size(); ++k) {
+    if (!(relative_squares[k] <= factor * factor)) continue;
+    chosen.push_back(indices_[static_cast<std::size_t>(k)]);
+  }
+  return chosen;
+}
+
+double NearSet::evidence(const Eigen::ArrayXd& relative_squares, double factor,
+                         double scale) const {
+  const double limit = factor * factor;
+  const Index count = relative_squares.size();
+  if (objective_.weights_depend_on_scale()) {
+    double evidence = 0;
+    for (Index k = 0; k < count; ++k) {
+      if (!(relative_squares[k] <= limit)) continue;
+      evidence += objective_.weight(indices_[static_cast<std::size_t>(k)], scale);
+    }
+    return evidence;
+  }
+  return sum_in_lanes(count, [&](Index k) {
+    const double weight = weights_[k];  // read in any case: no branch
+    return relative_squares[k] <= limit ? weight : 0;
+  });
+}
+
+Score NearSet::score(const Eigen::ArrayXd& relative_squares, double scale) const {
+  return {evidence(relative_squares, 1, scale), sum_in_lanes(relative_squares.size(), [&](Index k) {
+            return relative_squares[k] < 1 ? relative_squares[k] : 1;
+          })};
+}
+
+}  // namespace gmcr::refine

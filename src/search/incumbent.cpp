@@ -1,0 +1,275 @@
+#include "search/incumbent.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "clique/clique.hpp"
+#include "estimation/constrained_fit.hpp"
+#include "problem/consistency_graph.hpp"
+#include "refine/local_optimisation.hpp"
+#include "refine/pattern_search.hpp"
+#include "search/pose_from_clique.hpp"
+
+namespace gmcr::search {
+namespace {
+
+/// Candidates among which a greedy clique looks for the one with most neighbours.
+constexpr Index kMaxCandidates = 256;
+/// Correspondences within so many bounds of the best pose lead to no other: no clique starts there.
+constexpr double kExplained = 3;
+/// A clique with less than this part of the best evidence is no rival.
+constexpr double kLeastPart = 0.5;
+/// So many correspondences have their graph in milliseconds: it is built in any case, so that there
+/// is a pose to offer.
+constexpr Index kQuickGraph = 4096;
+/// Starts whose bound is computed, a start that may be taken.
+constexpr Index kMaxBounded = 8;
+/// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
+constexpr double kNearby = 2;
+constexpr Index kMaxNearby = 512;
+constexpr Index kMaxStartsNearby = 16;
+constexpr std::uint64_t kMaxNodesNearby = 200;
+
+/// Removes the edges of a vertex.
+void isolate(BitsetGraph& graph, Index v) {
+  const auto row = graph.mutable_row(v);
+  clique::for_each_bit(row.data(), graph.words_per_row(),
+                       [&](Index u) { clique::clear_bit(graph.mutable_row(u).data(), v); });
+  std::fill(row.begin(), row.end(), 0);
+}
+
+/// Most evidence of a clique with vertex v: that of v and its neighbours.
+double evidence_around(const BitsetGraph& graph, const std::vector<double>& weights, Index v) {
+  const auto weight = [&](Index u) { return weights[static_cast<std::size_t>(u)]; };
+  double around = weight(v);
+  const auto row = graph.row(v);
+  clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { around += weight(u); });
+  return around;
+}
+
+std::vector<Index> by_descending(const std::vector<Index>& values) {
+  std::vector<Index> order(values.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return values[static_cast<std::size_t>(a)] > values[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+/// The heaviest clique among some vertices, as far as a short search finds it, and greedy ones from
+/// those of largest degree.
+std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
+                                              const std::vector<Index>& vertices) {
+  const problem::StageTimer timer(search.context(), "clique");
+  const BitsetGraph graph = clique::induced_subgraph(range.graph, vertices);
+  const std::vector<double> all_weights = search.weights(Measure::Evidence, range.scales);
+  std::vector<double> weights;
+  for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
+  std::vector<std::vector<Index>> cliques{
+      search.context()
+          .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
+          .vertices};
+  const std::vector<Index> degree = clique::degrees_of(graph, 1);
+  std::vector<bool> covered(vertices.size(), false);
+  for (const Index v : by_descending(degree)) {
+    if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
+    if (covered[static_cast<std::size_t>(v)]) continue;
+    cliques.push_back(clique::greedy_clique(graph, v, degree, kMaxCandidates));
+    for (const Index u : cliques.back()) covered[static_cast<std::size_t>(u)] = true;
+  }
+  for (std::vector<Index>& clique : cliques) {
+    for (Index& v : clique) v = vertices[static_cast<std::size_t>(v)];
+  }
+  return cliques;
+}
+
+}  // namespace
+
+PoseSearch::PoseSearch(problem::SolveContext& context, const problem::Objective& objective,
+                       const estimation::PoseConstraints& constraints,
+                       const problem::PairFilter& filter, std::vector<problem::Hypothesis> found)
+    : context_(context),
+      objective_(objective),
+      constraints_(constraints),
+      filter_(filter),
+      arrays_(problem::consistency_arrays(objective.correspondences(), constraints.scales.max)),
+      found_(std::move(found)) {}
+
+void PoseSearch::offer(const std::vector<Index>& clique) {
+  const problem::StageTimer timer(context_, "pose");
+  if (!examined_.insert(clique).second) return;
+  std::optional<problem::Hypothesis> pose =
+      pose_from_clique(context_, objective_, constraints_, clique, rival());
+  if (pose) consider(std::move(*pose));
+}
+
+void PoseSearch::offer(const Similarity& pose) {
+  const problem::StageTimer timer(context_, "pose");
+  ++context_.diagnostics().num_candidates;
+  const problem::Correspondences& c = objective_.correspondences();
+  problem::Hypothesis judged = objective_.judge(pose);
+  if (!constraints_.priors.empty()) {
+    const auto admitted =
+        estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, constraints_);
+    if (!admitted) return;
+    judged = objective_.judge(*admitted);
+  }
+  consider(std::move(judged));
+}
+
+refine::Rival PoseSearch::rival() const {
+  constexpr int kPatience = 5;
+  return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
+}
+
+void PoseSearch::consider(problem::Hypothesis pose) {
+  if (rival().is_near(pose.inliers)) ++num_in_vain_;
+  if (!reached_.insert(pose.inliers).second) return;
+  // a rival is measured by what it can reach, as the best so far was
+  problem::Hypothesis reached =
+      refine::reach_for_more(objective_, constraints_, std::move(pose), rival().evidence());
+  constexpr double kClose = 0.9;
+  if (reached.evidence > kClose * rival().evidence()) {
+    reached = refine::climb_by_motions(objective_, constraints_, std::move(reached));
+  }
+  for (const problem::Hypothesis& known : found_) {
+    if (problem::shares_most(known.inliers, reached.inliers)) return;
+  }
+  const std::vector<Index> members = filter_.one_to_one(reached.inliers);
+  max_inliers_ = std::max(max_inliers_, static_cast<double>(members.size()));
+  max_evidence_ =
+      std::max(max_evidence_, objective_.evidence_of(members, reached.target_from_source.scale));
+  if (best_ && !problem::is_better(reached, *best_)) return;
+  best_ = std::move(reached);
+  num_in_vain_ = 0;
+}
+
+std::vector<Index> PoseSearch::near_best(double factor) const {
+  if (!best_) return {};
+  return objective_.within(best_->target_from_source, factor);
+}
+
+void PoseSearch::explain(const UpperBounds& bounds) {
+  for (const auto& [measure, sentences] : early_ends_) {
+    const double bound = measure == Measure::Inliers ? bounds.inliers : bounds.evidence;
+    if (!exceeds(bound, to_beat(measure))) continue;
+    for (const auto& [sentence, limit] : sentences) context_.limit({limit, sentence});
+  }
+}
+
+std::vector<double> PoseSearch::weights(Measure measure, const ScaleRange& scales) const {
+  std::vector<double> weights(static_cast<std::size_t>(arrays_.size()), 1.0);
+  if (measure == Measure::Inliers) return weights;
+  // weights grow with the scale, so those at the end of the range bound the others
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = objective_.weight(static_cast<Index>(i), scales.max);
+  }
+  return weights;
+}
+
+void PoseSearch::filter_graph(BitsetGraph& graph, const ScaleRange& scales) const {
+  filter_.apply(graph, scales, context_.options().num_threads);
+  for (const problem::Hypothesis& known : found_) {
+    for (const Index i : known.inliers) isolate(graph, i);
+  }
+}
+
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
+                             const std::function<BitsetGraph()>& build) {
+  const problem::StageTimer timer(search.context(), "graph");
+  ++search.context().diagnostics().num_scale_ranges;
+  RangeGraph range{scales, build()};
+  search.filter_graph(range.graph, scales);
+  return range;
+}
+
+RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
+  return build_range_graph(search, scales, [&] {
+    const problem::SolveContext& context = search.context();
+    const bool is_quick = search.arrays().size() <= kQuickGraph;
+    return problem::consistency_graph(search.arrays(), scales, context.options().num_threads,
+                                      is_quick ? parallel::Deadline::never() : context.deadline());
+  });
+}
+
+void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {
+  const Index n = range.graph.num_vertices();
+  std::vector<Index> degree;
+  std::vector<Index> order;
+  {
+    const problem::StageTimer timer(search.context(), "clique");
+    degree = clique::degrees_of(range.graph, search.context().options().num_threads);
+    order = by_descending(degree);
+  }
+  const std::vector<double> weights = search.weights(Measure::Evidence, range.scales);
+  // what the best pose explains is left out: else all cliques would lead to it again
+  std::vector<clique::Word> unexplained(static_cast<std::size_t>(range.graph.words_per_row()));
+  std::vector<bool> covered;
+  const auto leave_out_explained = [&] {
+    std::fill(unexplained.begin(), unexplained.end(), ~clique::Word{0});
+    for (const Index v : search.near_best(kExplained)) clique::clear_bit(unexplained.data(), v);
+  };
+  covered.assign(static_cast<std::size_t>(n), false);
+  leave_out_explained();
+  Index num_starts = 0, num_bounded = 0;
+  for (const Index v : order) {
+    if (num_starts == max_starts || (search.best() && search.context().stopped())) return;
+    const double to_beat = search.to_beat(Measure::Evidence);
+    if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
+    if (covered[static_cast<std::size_t>(v)] || !clique::test_bit(unexplained.data(), v)) continue;
+    if (num_bounded++ == kMaxBounded * max_starts) return;
+    if (evidence_around(range.graph, weights, v) <= to_beat) continue;
+    ++num_starts;
+    const std::vector<Index> clique = [&] {
+      const problem::StageTimer timer(search.context(), "clique");
+      return clique::greedy_clique(range.graph, v, degree, kMaxCandidates, unexplained);
+    }();
+    double evidence = 0;
+    for (const Index u : clique) {
+      covered[static_cast<std::size_t>(u)] = true;
+      evidence += weights[static_cast<std::size_t>(u)];
+    }
+    if (evidence < kLeastPart * to_beat) continue;
+    search.offer(clique);
+    if (search.to_beat(Measure::Evidence) > to_beat) leave_out_explained();
+  }
+}
+
+void explore_around_best(PoseSearch& search, const RangeGraph& range) {
+  for (double before = 0; search.to_beat(Measure::Evidence) > before;) {
+    before = search.to_beat(Measure::Evidence);
+    const std::vector<Index> near = search.near_best(kNearby);
+    if (static_cast<Index>(near.size()) > kMaxNearby) return;
+    for (const std::vector<Index>& clique : cliques_among(search, range, near)) {
+      if (search.context().stopped()) return;
+      search.offer(clique);
+    }
+  }
+}
+
+double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
+                     std::uint64_t max_nodes) {
+  const double to_beat = search.to_beat(measure);
+  const auto [vertices, upper_bound, proven] = [&] {
+    const problem::StageTimer timer(search.context(), "clique");
+    return measure == Measure::Inliers
+               ? search.context().max_clique(range.graph, static_cast<Index>(to_beat), max_nodes)
+               : search.context().max_weight_clique(
+                     range.graph, search.weights(measure, range.scales), to_beat, max_nodes);
+  }();
+  if (!vertices.empty()) search.offer(vertices);
+  if (!proven) {
+    search.note_early_end(
+        measure,
+        measure == Measure::Inliers
+            ? LimitHit{Limit::CliqueSearch,
+                       "a clique search ended before its proof: the upper bound may be loose"}
+            : LimitHit{Limit::EvidenceSearch,
+                       "a search for the clique of most evidence ended before its proof: the bound "
+                       "on the evidence may be loose"});
+  }
+  return proven && vertices.empty() ? to_beat : upper_bound;
+}
+
+}  // namespace gmcr::search

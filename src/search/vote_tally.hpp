@@ -1,0 +1,66 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "search/scale_votes.hpp"
+
+namespace gmcr::search {
+
+/// Levels of a number >= 1: of their own up to 127, then 64 for each doubling.
+struct Levels {
+  static std::size_t of(std::uint64_t number) {
+    if (number < 128) return number;
+    const int shift = std::bit_width(number) - 7;
+    return static_cast<std::size_t>(64 * shift) + (number >> shift);
+  }
+  /// Largest number of a level.
+  static std::uint64_t top(std::size_t level) {
+    if (level < 128) return level;
+    const std::size_t shift = level / 64 - 1;
+    return ((level - 64 * shift + 1) << shift) - 1;
+  }
+};
+
+/// What the correspondences agree with in each bin, counted by levels. Sums of whole numbers: the
+/// order of the additions does not matter.
+class VoteTally {
+ public:
+  VoteTally(Index num_bins, bool weighted);
+
+  /// Bytes that a tally of so many correspondences may take.
+  static std::size_t bytes_required(Index num_correspondences, Index num_bins, bool weighted);
+
+  /// Adds a correspondence of weight `own` that agrees in a bin with `pairs` others of weight
+  /// `others` in sum.
+  void add(Index bin, std::uint64_t pairs, std::uint64_t others, std::uint64_t own) {
+    const auto b = static_cast<std::size_t>(bin);
+    pairs_[b] += pairs;
+    const std::size_t level = Levels::of(pairs + 1);
+    if (level >= num_levels_) grow(level + 1);
+    ++members_[level * num_bins_ + b];
+    if (!weighted_) return;
+    product_[b] += (others * own + RunWeights::kOne - 1) / RunWeights::kOne;
+    // weights are at most 1, so this level is no higher
+    const std::uint64_t together = (others + own + RunWeights::kOne - 1) / RunWeights::kOne;
+    evidence_[Levels::of(together) * num_bins_ + b] += own;
+  }
+
+  void add(const VoteTally& other);
+
+  /// The votes of a bin.
+  void read(Index bin, ScaleVotes& votes) const;
+
+ private:
+  void grow(std::size_t num_levels);
+
+  std::size_t num_bins_ = 0, num_levels_ = 0;
+  bool weighted_ = false;
+  std::vector<std::uint64_t> pairs_, product_;  ///< a bin, twice: a pair has two ends
+  // level-major: a correspondence has similar levels in neighbouring bins
+  std::vector<std::uint32_t> members_;   ///< correspondences, a level and bin
+  std::vector<std::uint64_t> evidence_;  ///< weights, a level and bin; none where all are 1
+};
+
+}  // namespace gmcr::search

@@ -1,0 +1,78 @@
+#include "problem/close_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "random_geometry.hpp"
+
+namespace gmcr::problem {
+namespace {
+
+using Pairs = std::multiset<std::pair<Index, Index>>;
+
+Pairs near_pairs(const Points& points, const Eigen::ArrayXd& reaches) {
+  Pairs pairs;
+  EXPECT_TRUE(for_each_near_pair(points, reaches, [&](Index i, Index j, double reach) {
+    EXPECT_EQ(reach, reaches[i] + reaches[j]);
+    pairs.emplace(std::min(i, j), std::max(i, j));
+    return true;
+  }));
+  return pairs;
+}
+
+Pairs pairs_by_definition(const Points& points, const Eigen::ArrayXd& reaches) {
+  Pairs pairs;
+  for (Index i = 0; i < points.cols(); ++i) {
+    for (Index j = i + 1; j < points.cols(); ++j) {
+      const double reach = reaches[i] + reaches[j];
+      if ((points.col(j) - points.col(i)).squaredNorm() <= reach * reach) pairs.emplace(i, j);
+    }
+  }
+  return pairs;
+}
+
+TEST(NearPairs, AreThoseOfTheDefinitionOnceEach) {
+  testing::RandomGeometry random(1);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Index count = random.index(150);
+    const double size = std::pow(10.0, trial % 7 - 3);
+    Points points = size * random.in_cube(count);
+    if (trial % 3 == 0) points.row(2).setZero();
+    if (trial % 4 == 0) points.colwise() += Eigen::Vector3d(1e6, -1e6, 0) * size;
+    if (trial % 5 == 0 && count > 10) points.leftCols(10).colwise() = points.col(10).eval();
+    const double ratio = trial % 2 == 0 ? 1.0 : 300.0;  // of the largest reach to the smallest
+    const Eigen::ArrayXd reaches = Eigen::ArrayXd::NullaryExpr(
+        count, [&] { return size * 0.3 * std::pow(ratio, -random.uniform(0, 1)); });
+    EXPECT_EQ(near_pairs(points, reaches), pairs_by_definition(points, reaches));
+  }
+}
+
+TEST(NearPairs, AreFoundWhereTheReachIsMuchSmallerThanTheExtent) {
+  testing::RandomGeometry random(2);
+  Points points = 1e6 * random.in_cube(400);
+  for (Index i = 0; i < 200; ++i) points.col(200 + i) = points.col(i) + 1e-4 * random.unit();
+  const Eigen::ArrayXd reaches = Eigen::ArrayXd::Constant(400, 6e-5);
+  EXPECT_EQ(near_pairs(points, reaches).size(), 200u);
+}
+
+TEST(NearPairs, OnTheBordersOfTheirCellsAreNotLost) {
+  // a lattice whose neighbours are exactly as far as they reach
+  Points points(3, 216);
+  for (Index i = 0; i < 216; ++i) points.col(i) << i % 6, i / 6 % 6, i / 36;
+  const Eigen::ArrayXd reaches = Eigen::ArrayXd::Constant(216, 0.5);
+  EXPECT_EQ(near_pairs(points, reaches).size(), 3u * 5 * 36);
+}
+
+TEST(NearPairs, EndWhereTheVisitorSaysSo) {
+  int visits = 0;
+  EXPECT_FALSE(for_each_near_pair(Points::Zero(3, 100), Eigen::ArrayXd::Ones(100),
+                                  [&](Index, Index, double) { return ++visits < 7; }));
+  EXPECT_EQ(visits, 7);
+}
+
+}  // namespace
+}  // namespace gmcr::problem

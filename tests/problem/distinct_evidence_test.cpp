@@ -1,0 +1,104 @@
+#include "problem/distinct_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include "problem/scale_buckets.hpp"
+#include "random_geometry.hpp"
+
+namespace gmcr::problem {
+namespace {
+
+constexpr std::size_t kEnough = 1 << 20;
+const Octaves kOctaves(1.1);
+
+Eigen::ArrayXd weights_of(const Correspondences& correspondences, double scale) {
+  const DistinctEvidence evidence(correspondences, kEnough, kOctaves);
+  Eigen::ArrayXd weights(correspondences.size());
+  for (Index i = 0; i < weights.size(); ++i) weights[i] = evidence.weight(i, scale);
+  return weights;
+}
+
+TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
+  testing::RandomGeometry random(1);
+  Correspondences c{random.in_cube(80), random.in_cube(80), Eigen::ArrayXd(80)};
+  for (double& bound : c.bounds) bound = random.uniform(0.02, 0.15);
+  c.source.col(7) = c.source.col(3);
+  for (const double scale : {0.05, 0.3, 1.0, 4.0}) {
+    const Eigen::ArrayXd weights = weights_of(c, scale);
+    for (Index i = 0; i < 80; ++i) {
+      int partners = 0;
+      for (Index j = 0; j < 80; ++j) {
+        const double bound = DistinctEvidence::kReach * (c.bounds[i] + c.bounds[j]);
+        partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
+                    kOctaves.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
+      }
+      EXPECT_EQ(weights[i], 1.0 / (1 + partners));
+    }
+  }
+}
+
+TEST(DistinctEvidence, OfACopiedCorrespondenceIsSharedByTheCopies) {
+  testing::RandomGeometry random(2);
+  Correspondences c{10 * random.in_cube(5), 10 * random.in_cube(5),
+                    Eigen::ArrayXd::Constant(5, 1e-3)};
+  c.source.col(4) = c.source.col(0);
+  c.target.col(4) = c.target.col(0);
+  const Eigen::ArrayXd weights = weights_of(c, 1);
+  EXPECT_EQ(weights[0] + weights[4], 1);
+  EXPECT_EQ(weights.sum(), 4);
+}
+
+TEST(DistinctEvidence, SaysWhenItsMemoryDoesNotSufficeAndThenCounts) {
+  const Correspondences c{Points::Zero(3, 50), Points::Zero(3, 50), Eigen::ArrayXd::Ones(50)};
+  EXPECT_TRUE(DistinctEvidence(c, 50 * 49 * sizeof(double), kOctaves).complete());
+  const DistinctEvidence evidence(c, 50 * 49 * sizeof(double) - 1, kOctaves);
+  EXPECT_FALSE(evidence.complete());
+  EXPECT_EQ(evidence.weight(0, 1), 1);
+}
+
+TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
+  testing::RandomGeometry random(3);
+  Correspondences c{random.in_cube(200), random.in_cube(200), Eigen::ArrayXd(200)};
+  for (double& bound : c.bounds) bound = random.uniform(0.001, 0.15);
+  const DistinctEvidence all(c, kEnough, kOctaves), some(c, kEnough, kOctaves, {0.5, 2});
+  for (const double scale : {0.5, 0.7, 0.71, 1.0, 1.3, 2.0}) {
+    const DistinctEvidence known(c, kEnough, kOctaves, {scale, scale});
+    EXPECT_TRUE(known.has_partners());
+    for (Index i = 0; i < 200; ++i) {
+      EXPECT_EQ(known.weight(i, scale), all.weight(i, scale));
+      EXPECT_EQ(some.weight(i, scale), all.weight(i, scale));
+    }
+  }
+}
+
+TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
+  testing::RandomGeometry random(5);
+  const Correspondences c{random.in_cube(100), random.in_cube(100),
+                          Eigen::ArrayXd::Constant(100, 0.1)};
+  EXPECT_FALSE(DistinctEvidence(c, kEnough, kOctaves, {0.8, 1.5}).depends_on_scale());
+  EXPECT_TRUE(DistinctEvidence(c, kEnough, kOctaves, {0.8, 1.6}).depends_on_scale());
+}
+
+TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
+  testing::RandomGeometry random(4);
+  const Correspondences c{random.in_cube(50), random.in_cube(50),
+                          Eigen::ArrayXd::Constant(50, 0.1)};
+  EXPECT_TRUE(DistinctEvidence(c, kEnough, kOctaves, {0.1, 0.1}).has_partners());
+  EXPECT_FALSE(DistinctEvidence(c, kEnough, kOctaves, {1e6, 1e6}).has_partners());
+}
+
+TEST(DistinctEvidence, OfOneHugeClusterEndsWithItsMemory) {
+  const Correspondences c{Points::Zero(3, 20'000), Points::Zero(3, 20'000),
+                          Eigen::ArrayXd::Ones(20'000)};
+  const DistinctEvidence evidence(c, kEnough, kOctaves, {1, 1});
+  EXPECT_FALSE(evidence.complete());
+  EXPECT_FALSE(evidence.has_partners());
+}
+
+TEST(DistinctEvidence, OfNothingIsComplete) {
+  const Correspondences c{Points(3, 0), Points(3, 0), Eigen::ArrayXd(0)};
+  EXPECT_TRUE(DistinctEvidence(c, 0, kOctaves).complete());
+}
+
+}  // namespace
+}  // namespace gmcr::problem
