@@ -24,7 +24,7 @@ int main() {
   options.certify = true;
   const gmcr::Result free = gmcr::register_correspondences(source, target, options);
 
-  options.priors.gravity = gmcr::GravityPrior{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(),
+  options.gravity = gmcr::GravityPrior{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(),
                                               5 * 3.14159265358979 / 180};
   const gmcr::Result upright = gmcr::register_correspondences(source, target, options);
 

@@ -1,12 +1,12 @@
 #include <fmt/ranges.h>
 
-#include "arguments.hpp"
 #include "commands.hpp"
 #include "gmcr/clique.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/version.hpp"
 #include "json.hpp"
+#include "option_flags.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
 #include "validators.hpp"
@@ -24,7 +24,7 @@ Examples:
 struct Arguments {
   std::string graph;
   CliqueOptions options;
-  std::size_t memory_limit = Budget{}.memory;
+  std::size_t memory_limit = Options{}.memory_limit;
   bool json = false;
 };
 
@@ -82,14 +82,9 @@ void add_clique_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("clique", "Maximum clique of a graph file");
   command.add_option("GRAPH", arguments->graph, "Graph, .clq, .col or .mtx")->required();
-  command.add_option("--time-limit", arguments->options.time_limit, "Seconds for the search")
-      ->type_name("S")
-      ->capture_default_str();
-  command.add_option("--max-nodes", arguments->options.max_nodes, "Search nodes to visit")
-      ->check(not_negative())
-      ->capture_default_str();
-  command.add_option("--threads", arguments->options.num_threads, "Threads; 0 uses every core")
-      ->capture_default_str();
+  add_flags(command, arguments->options, [](const std::string& name) {
+    return name == "time_limit" || name == "max_nodes" || name == "num_threads";
+  });
   command.add_option("--memory-limit", arguments->memory_limit, "Bytes for the graph, such as 2GB")
       ->check(not_negative())
       ->transform(CLI::AsSizeValue(false))

@@ -7,7 +7,7 @@
 #include "gmcr/options.hpp"
 #include "gmcr/registration.hpp"
 #include "gmcr/version.hpp"
-#include "json.hpp"
+#include "options_json.hpp"
 #include "report.hpp"
 
 namespace gmcr::cli {
@@ -18,24 +18,9 @@ constexpr const char* kExamples = R"(Examples:
   gmcr info --json)";
 
 Json defaults() {
-  const Options options;
-  const FrontendOptions frontend;
-  Json json;
-  json["threshold"] = options.threshold;
-  json["scale"] = options.scale;
-  json["method"] = options.method == Method::Gmcr ? "gmcr" : "paper";
-  json["evidence"] = options.evidence == Evidence::Distinct ? "distinct" : "count";
-  json["hypotheses"] = options.num_hypotheses;
-  json["time_limit"] = options.budget.time;
-  json["memory_limit"] = options.budget.memory;
-  json["normal_radius"] = frontend.normal_radius;
-  json["feature_radius"] = frontend.feature_radius;
-  json["noise_bound_voxels"] = frontend.noise_bound_voxels;
-  json["max_ratio"] = frontend.max_ratio;
-  json["attempts"] = frontend.max_attempts;
-  const InstanceOptions instances;
-  json["min_instance_inliers"] = instances.min_inliers;
-  json["min_instance_share"] = instances.min_share;
+  Json json = to_json(Options{});
+  json.update(to_json(FrontendOptions{}));
+  json.update(to_json(InstanceOptions{}));
   return json;
 }
 
@@ -56,6 +41,9 @@ ExitCode run(bool as_json) {
   json["build_type"] = GMCR_BUILD_TYPE;
   json["compiler"] = __VERSION__;
   json["defaults"] = defaults();
+  // as they were called at first, for programs that read them so
+  json["defaults"]["hypotheses"] = Options{}.num_hypotheses;
+  json["defaults"]["attempts"] = FrontendOptions{}.max_attempts;
   if (as_json) {
     print(json);
     return kPoseFound;
@@ -65,10 +53,11 @@ ExitCode run(bool as_json) {
   report.line("isa", fmt::format("{}, of {}", active_isa(), fmt::join(supported_isas(), " ")));
   report.line("threads", json["threads"].dump());
   report.line("build", fmt::format("{}, {}", GMCR_BUILD_TYPE, __VERSION__));
-  for (const auto& [name, value] : json["defaults"].items()) {
-    report.line(name == "threshold" ? "defaults" : "",
-                fmt::format("{:<20} {}", name,
-                            value.is_string() ? value.get<std::string>() : value.dump()));
+  std::string title = "defaults";
+  for (const auto& [name, value] : defaults().items()) {
+    report.line(title, fmt::format("{:<20} {}", name,
+                                   value.is_string() ? value.get<std::string>() : value.dump()));
+    title.clear();
   }
   report.print();
   return kPoseFound;

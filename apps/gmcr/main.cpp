@@ -7,8 +7,10 @@
 #include <string>
 
 #include "commands.hpp"
+#include "gmcr/invalid_option.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
+#include "option_flags.hpp"
 
 namespace gmcr::cli {
 namespace {
@@ -27,40 +29,19 @@ ExitCode fail(ExitCode code, std::string message) {
   return code;
 }
 
-/// "noise_bound: -1 ..." of the library names its field; here the user knows the option.
-std::string with_option_name(const std::string& message) {
-  const std::size_t end = message.find(':');
-  std::string field = message.substr(0, end);
-  const bool is_field =
-      end != std::string::npos &&
-      field.find_first_not_of("abcdefghijklmnopqrstuvwxyz_.") == std::string::npos;
-  if (!is_field) return message;
-  for (const auto& [name, option] :
-       {std::pair{"budget.time", "time-limit"},
-        {"budget.memory", "memory-limit"},
-        {"num_threads", "threads"},
-        {"num_hypotheses", "hypotheses"},
-        {"max_instances", "instances"},
-        {"min_inliers", "min-instance-inliers"},
-        {"min_share", "min-instance-share"},
-        {"priors.gravity.source", "gravity"},
-        {"priors.gravity.target", "gravity"},
-        {"priors.gravity.max_tilt", "max-tilt"},
-        {"priors.max_translation", "max-translation"},
-        {"priors.initial_pose.max_rotation", "max-rotation-error"},
-        {"priors.initial_pose.max_translation", "max-translation-error"},
-        {"noise_mode", "noise-bound"},
-        {"voxel_size", "voxel"},
-        {"source_voxel_size", "source-voxel"},
-        {"max_attempts", "attempts"},
-        {"num_correspondences", "num"},
-        {"outlier_rate", "outliers"},
-        {"noise_extent", "noise"}}) {
-    if (field == name) field = option;
+/// "noise_bound: -1 ..." of the library names its option; here it is a flag of the command.
+std::string with_flag(const InvalidOption& error, const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    // of "gravity.source" the tool may know only --gravity
+    for (std::string name = error.option(); !name.empty();) {
+      if (command->get_option_no_throw(flag_of(name))) {
+        return flag_of(name) + ": " + error.problem();
+      }
+      const std::size_t dot = name.rfind('.');
+      name = dot == std::string::npos ? "" : name.substr(0, dot);
+    }
   }
-  if (field == "source" || field == "target" || field == "points") return message;
-  std::replace(field.begin(), field.end(), '_', '-');
-  return "--" + field + message.substr(end);
+  return error.what();
 }
 
 void log_to_stderr() {
@@ -94,11 +75,13 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& request) {
     return app.exit(request);  // --help or --version
   } catch (const CLI::ParseError& error) {
-    return fail(kBadInput, std::string(error.what()) + " (see gmcr --help)");
+    return fail(kBadInput, as_written(error.what(), app, argc, argv) + " (see gmcr --help)");
   } catch (const IoError& error) {
     return fail(kBadFile, error.what());
+  } catch (const InvalidOption& error) {
+    return fail(kBadInput, as_written(with_flag(error, app), app, argc, argv));
   } catch (const std::invalid_argument& error) {
-    return fail(kBadInput, with_option_name(error.what()));
+    return fail(kBadInput, error.what());
   } catch (const std::bad_alloc&) {
     return fail(kBadInput, "not enough memory; try a smaller --memory-limit or fewer points");
   } catch (const std::exception& error) {

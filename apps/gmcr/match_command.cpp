@@ -31,7 +31,7 @@ ExitCode run(const Arguments& arguments) {
   const Points target = read_points(arguments.clouds.target);
   const Stopwatch stopwatch;
   const CloudMatches matches =
-      match_clouds(source, target, arguments.clouds.resolved(), arguments.options);
+      match_clouds(source, target, arguments.clouds.frontend, arguments.options);
   const double seconds = stopwatch.seconds();
   write_matches(arguments.matches, matches.source, matches.target);
   if (arguments.json) {
@@ -73,23 +73,16 @@ ExitCode run(const Arguments& arguments) {
 void add_match_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("match", "Putative matches between two clouds");
-  arguments->clouds.add_to(command);
+  arguments->clouds.add_to(command, [](const std::string& name) { return name != "max_attempts"; });
   command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
       ->required()
       ->type_name("MATCHES");
-  auto* estimate = command.add_flag(
-      "--estimate-scale",
-      [arguments](std::int64_t) { arguments->options.scale_mode = ScaleMode::Estimated; },
-      "The clouds may differ in scale");
-  command.add_option("--scale", arguments->options.scale, "Known scale, target / source")
-      ->capture_default_str()
-      ->excludes(estimate);
-  command
-      .add_flag("--one-to-one", arguments->clouds.frontend.one_to_one,
-                "Of the matches that share a target, keep the closest (with --no-mutual)")
+  add_scale(command, arguments->options);
+  add_flags(command, arguments->options,
+            [](const std::string& name) { return name == "one_to_one" || name == "num_threads"; });
+  command.get_option("--one-to-one")
+      ->description("Of the matches that share a target, keep the closest (with --no-mutual)")
       ->group("Matching");
-  command.add_option("--threads", arguments->options.num_threads, "Threads; 0 uses every core")
-      ->capture_default_str();
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "choice.hpp"
 #include "validators.hpp"
 
 namespace gmcr::cli {
@@ -14,13 +15,16 @@ constexpr const char* kName = "--noise-bound";
 CLI::Option* NoiseArguments::add_to(CLI::App& command, const std::string& help) {
   const auto parse = [this](const CLI::results_t& given) {
     const std::string& text = given.front();
-    mode = text == "auto" ? NoiseMode::Estimated : NoiseMode::Given;
-    if (mode == NoiseMode::Given) {
-      bound = to_number(text);
-      if (!bound) throw CLI::ValidationError(kName, "'" + text + "' is neither a number nor auto");
+    if (text == "auto") {
+      mode = NoiseMode::Estimated;
+      return true;
     }
+    bound = to_number(text);
+    if (!bound) throw CLI::ValidationError(kName, "'" + text + "' is neither a number nor auto");
     return true;
   };
+  add_choice(command, "--noise-mode", mode, "Whether the noise is given, or estimated as by auto")
+      ->group("Noise");
   return command.add_option(kName, parse, help)->type_name("B|auto")->expected(1)->group("Noise");
 }
 

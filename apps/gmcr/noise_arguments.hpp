@@ -14,7 +14,7 @@ struct NoiseArguments {
   NoiseMode mode = NoiseMode::Given;
   std::optional<double> bound;  ///< metres
 
-  /// Adds `--noise-bound B|auto`.
+  /// Adds `--noise-bound B|auto`, and `--noise-mode`, whose 'estimated' is the same as auto.
   CLI::Option* add_to(CLI::App& command, const std::string& help);
 
   bool is_given() const { return bound || mode == NoiseMode::Estimated; }

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "gmcr/frontend.hpp"
 #include "gmcr/options.hpp"
+#include "gmcr/registration.hpp"
 #include "json.hpp"
 
 namespace gmcr::cli {
 
-/// Every choice of the solver by the name of its field; null: not given.
+/// Every choice that has a say, by the name of its field; an infinite number is null.
 Json to_json(const Options& options);
+Json to_json(const FrontendOptions& options);
+Json to_json(const InstanceOptions& options);
 
 }  // namespace gmcr::cli

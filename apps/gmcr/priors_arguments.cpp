@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "gmcr/io.hpp"
+#include "option_flags.hpp"
+#include "options/table.hpp"
 #include "validators.hpp"
 
 namespace gmcr::cli {
@@ -15,8 +17,6 @@ namespace {
 
 constexpr const char* kGroup = "Priors";
 constexpr const char* kGravity = "--gravity";
-
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// At most pi, which 180 degrees may exceed by rounding.
 double radians(double degrees) {
@@ -47,6 +47,26 @@ std::vector<double> parse_gravity(const CLI::results_t& given) {
   return values;
 }
 
+/// Adds the option of a prior at `place`; an angle is given in degrees.
+/// @param prefix  of its name.
+template <class Prior>
+CLI::Option* add_limit(CLI::App& command, const std::string& prefix, double Prior::*place,
+                       std::optional<double>& value) {
+  CLI::Option* flag = nullptr;
+  options::for_each_option<Prior>([&](const auto& option) {
+    if constexpr (std::is_same_v<decltype(option.place), double Prior::*>) {
+      const options::About& about = option.about;
+      if (option.place != place) return;
+      const bool is_angle = about.unit == std::string("radians");
+      flag = command.add_option(flags_of(prefix + about.name, about.alias), value, about.help)
+                 ->check(is_angle ? between(0, 180, "degrees") : at_least(0))
+                 ->type_name(is_angle ? "DEG" : "M")
+                 ->group(about.group);
+    }
+  });
+  return flag;
+}
+
 }  // namespace
 
 void PriorsArguments::add_to(CLI::App& command) {
@@ -58,57 +78,35 @@ void PriorsArguments::add_to(CLI::App& command) {
       },
       "Direction of gravity in the source frame and, where it differs, in the target frame");
   gravity_option->expected(3, 6)->type_name("X Y Z [X Y Z]")->group(kGroup);
-  command
-      .add_option("--max-tilt", max_tilt_deg,
-                  "Largest angle between the two directions after the transform")
-      ->check(between(0, 180, "degrees"))
-      ->default_str(fmt::format("{}", degrees(GravityPrior{}.max_tilt)))
-      ->type_name("DEG")
-      ->needs(gravity_option)
-      ->group(kGroup);
-  command.add_option("--max-translation", max_translation, "Longest translation, metres")
-      ->check(positive())
-      ->type_name("M")
-      ->group(kGroup);
   auto* pose_option =
       command.add_option("--initial-pose", initial_pose, "4 x 4 transform near which to look")
           ->type_name("T.txt")
           ->group(kGroup);
-  command
-      .add_option("--max-rotation-error", max_rotation_error_deg,
-                  "Largest angle from the initial pose (default: any)")
-      ->check(between(0, 180, "degrees"))
-      ->type_name("DEG")
-      ->needs(pose_option)
-      ->group(kGroup);
-  command
-      .add_option("--max-translation-error", max_translation_error,
-                  "Largest distance from the translation of the initial pose (default: any)")
-      ->check(at_least(0))
-      ->type_name("M")
-      ->needs(pose_option)
-      ->group(kGroup);
+  add_limit(command, "gravity.", &GravityPrior::max_tilt, max_tilt_deg)
+      ->default_str("0")
+      ->needs(gravity_option);
+  add_limit(command, "initial_pose.", &InitialPose::max_rotation, max_rotation_error_deg)
+      ->needs(pose_option);
+  add_limit(command, "initial_pose.", &InitialPose::max_translation, max_translation_error)
+      ->needs(pose_option);
 }
 
-Priors PriorsArguments::resolved() const {
-  Priors priors;
+void PriorsArguments::add_to(Options& options) const {
   if (!gravity.empty()) {
-    GravityPrior& prior = priors.gravity.emplace();
+    GravityPrior& prior = options.gravity.emplace();
     prior.source = Eigen::Vector3d(gravity.data());
     prior.target = Eigen::Vector3d(gravity.data() + gravity.size() - 3);
     if (max_tilt_deg) prior.max_tilt = radians(*max_tilt_deg);
   }
-  priors.max_translation = max_translation.value_or(priors.max_translation);
-  if (initial_pose.empty()) return priors;
+  if (initial_pose.empty()) return;
   if (!max_rotation_error_deg && !max_translation_error) {
     throw std::invalid_argument(
         "--initial-pose needs --max-rotation-error, --max-translation-error or both");
   }
-  InitialPose& prior = priors.initial_pose.emplace();
+  InitialPose& prior = options.initial_pose.emplace();
   prior.target_from_source = read_transform(initial_pose);
   prior.max_rotation = radians(max_rotation_error_deg.value_or(180));
   prior.max_translation = max_translation_error.value_or(prior.max_translation);
-  return priors;
 }
 
 }  // namespace gmcr::cli

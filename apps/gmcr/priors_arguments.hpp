@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gmcr/priors.hpp"
+#include "gmcr/options.hpp"
 
 namespace gmcr::cli {
 
@@ -13,16 +13,16 @@ namespace gmcr::cli {
 struct PriorsArguments {
   std::vector<double> gravity;  ///< 3 values for both frames, or 3 for each; empty: not given
   std::optional<double> max_tilt_deg;
-  std::optional<double> max_translation;
   std::string initial_pose;  ///< path of a transform; empty: not given
   std::optional<double> max_rotation_error_deg;
   std::optional<double> max_translation_error;
 
   void add_to(CLI::App& command);
 
+  /// Sets the priors that were given, but for the longest translation, which is plain.
   /// @throws IoError where the initial pose cannot be read, std::invalid_argument where it has no
   ///   limit.
-  Priors resolved() const;
+  void add_to(Options& options) const;
 };
 
 }  // namespace gmcr::cli

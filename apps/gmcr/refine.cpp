@@ -55,7 +55,7 @@ Similarity run_icp(const CloudMatches& matches, const Similarity& pose) {
 Refinement refine(CloudResult& result, const Options& options) {
   const Similarity before = result.registration.target_from_source;
   const Similarity after = run_icp(result.matches, before);
-  if (!options.priors.admit(after)) {
+  if (!options.admit(after)) {
     return {"icp", false, "ICP was rejected: it would leave what the priors admit"};
   }
   CloudResult refined = with_pose(result, after, options);

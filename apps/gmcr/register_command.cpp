@@ -1,18 +1,31 @@
 #include <fmt/core.h>
 
 #include "arguments.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "html_report.hpp"
 #include "json_text.hpp"
-#include "options_json.hpp"
 #include "progress.hpp"
 #include "read_points.hpp"
 #include "refine.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
 
-namespace gmcr::cli {
+namespace gmcr {
+namespace cli {
+
+enum class Refine { Icp, None };
+
+}  // namespace cli
+
+template <>
+struct options::Words<cli::Refine> {
+  static constexpr Word<cli::Refine> words[] = {{cli::Refine::Icp, "icp"},
+                                                {cli::Refine::None, "none"}};
+};
+
+namespace cli {
 namespace {
 
 constexpr const char* kExamples =
@@ -36,8 +49,6 @@ Examples:
     gmcr register a.ply b.ply --certify --time-limit 10
   the object may be symmetric: the 3 best poses
     gmcr register model.ply scene.ply --hypotheses 3)";
-
-enum class Refine { Icp, None };
 
 struct Arguments {
   CloudArguments clouds;
@@ -90,6 +101,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
 ExitCode run(const Arguments& arguments) {
   if (!arguments.report.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
+  arguments.clouds.frontend.validate();
   const Points source = read_points(arguments.clouds.source);
   const Points target = read_points(arguments.clouds.target);
   CloudResult result;
@@ -99,13 +111,10 @@ ExitCode run(const Arguments& arguments) {
     ProgressLine progress;
     options.progress = progress.callback();
     const Stopwatch stopwatch;
-    FrontendOptions frontend = arguments.clouds.resolved();
-    frontend.one_to_one = options.one_to_one;
-    result = register_clouds(source, target, frontend, options);
+    result = register_clouds(source, target, arguments.clouds.frontend, options);
     if (arguments.refine == Refine::Icp) context.refinement = refine_with_icp(result, options);
     context.total_seconds = stopwatch.seconds();
   }
-  context.options_json = to_json(options).dump();
   const std::string json = to_json(result, context, kJsonIndent);
   const std::vector<std::string> written = write_files(arguments, result, source, target, json);
   if (arguments.json) {
@@ -125,20 +134,13 @@ void add_register_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("register", "Pose that aligns two clouds");
   arguments->clouds.add_to(command);
-  command
-      .add_option("--attempts", arguments->clouds.frontend.max_attempts,
-                  "Settings to try before settling for a doubtful result")
-      ->capture_default_str()
-      ->group("Matching");
   arguments->solver.noise
       .add_to(command, fmt::format("Largest error of a right match, metres; 0: {} voxels; auto: "
                                    "chosen from the matches",
                                    FrontendOptions{}.noise_bound_voxels))
       ->default_str("0");
   arguments->solver.add_to(command);
-  add_choice<Refine>(command, "--refine", arguments->refine,
-                     {{"icp", Refine::Icp}, {"none", Refine::None}}, "Refinement of the pose")
-      ->group("Answers");
+  add_choice(command, "--refine", arguments->refine, "Refinement of the pose")->group("Answers");
   constexpr const char* kOutput = "Output";
   const auto add_path = [&](const char* name, std::string& path, const char* help,
                             const char* type) {
@@ -155,4 +157,5 @@ void add_register_command(CLI::App& app, Work& work) {
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }
 
-}  // namespace gmcr::cli
+}  // namespace cli
+}  // namespace gmcr

@@ -6,11 +6,9 @@
 #include "gmcr/registration.hpp"
 #include "html_report.hpp"
 #include "json_text.hpp"
-#include "options_json.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
-#include "validators.hpp"
 
 namespace gmcr::cli {
 namespace {
@@ -71,6 +69,7 @@ std::string json_of(const Arguments& arguments, const std::vector<Result>& resul
 ExitCode run(const Arguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
+  arguments.instances.validate();
   const Matches matches = read_matches(arguments.matches);
   arguments.solver.noise.check_against(matches, options);
   ProgressLine progress;
@@ -87,7 +86,6 @@ ExitCode run(const Arguments& arguments) {
   ReportContext context;
   context.options = &options;
   context.total_seconds = seconds;
-  context.options_json = to_json(options).dump();
   if (!arguments.report_path.empty()) {
     write_html_report(arguments.report_path, json_of(arguments, results, context),
                       {arguments.matches, matches, {}, {}});
@@ -107,31 +105,13 @@ ExitCode run(const Arguments& arguments) {
   return is_ok ? kPoseFound : kNoPose;
 }
 
-void add_instance_options(CLI::App& command, Arguments& arguments) {
-  constexpr const char* kGroup = "Answers";
-  auto* instances = command.add_option_function<int>(
-      "--instances",
-      [&arguments](int count) {
-        arguments.wants_instances = true;
-        arguments.instances.max_instances = count;
-      },
-      "Find up to K instances of the source in the target, best first");
-  instances->check(at_least(1))->type_name("K")->group(kGroup);
-  command
-      .add_option("--min-instance-inliers", arguments.instances.min_inliers,
-                  "Inliers that an instance needs")
-      ->check(at_least(3))
-      ->type_name("N")
-      ->needs(instances)
-      ->capture_default_str()
-      ->group(kGroup);
-  command
-      .add_option("--min-instance-share", arguments.instances.min_share,
-                  "Share of the evidence of the first instance that another needs")
-      ->check(between(0, 1))
-      ->needs(instances)
-      ->capture_default_str()
-      ->group(kGroup);
+void add_instance_options(CLI::App& command, InstanceOptions& instances) {
+  add_flags(command, instances);
+  CLI::Option* wanted = command.get_option("--max-instances");
+  wanted->type_name("K")->default_str("");
+  for (const char* name : {"--min-instance-inliers", "--min-instance-share"}) {
+    command.get_option(name)->needs(wanted);
+  }
 }
 
 }  // namespace
@@ -144,7 +124,7 @@ void add_solve_command(CLI::App& app, Work& work) {
                                  "Largest error of a right match, metres; auto: chosen from the "
                                  "matches. Required unless MATCHES has a 7th column");
   arguments->solver.add_to(command);
-  add_instance_options(command, *arguments);
+  add_instance_options(command, arguments->instances);
   constexpr const char* kOutput = "Output";
   command
       .add_option("-o,--output", arguments->transform_path,
@@ -163,7 +143,10 @@ void add_solve_command(CLI::App& app, Work& work) {
       ->group(kOutput);
   command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
   command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &command, &work] {
+    arguments->wants_instances = command.count("--max-instances") > 0;
+    work = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace gmcr::cli

@@ -1,14 +1,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 
-#include "arguments.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/synthetic.hpp"
 #include "gmcr/version.hpp"
 #include "json.hpp"
+#include "option_flags.hpp"
+#include "options/table.hpp"
 #include "report.hpp"
 
 namespace gmcr::cli {
@@ -22,17 +22,12 @@ Examples:
   gmcr synth -o matches.npy --truth T.txt --kind structured --outliers 0.8 --model bunny.ply
   gmcr solve matches.csv --noise-bound 0.01 -o estimate.txt && gmcr eval estimate.txt T.txt)";
 
-/// What the command line gave; the rest comes from the kind's own defaults.
 struct Arguments {
   std::string matches;
   std::string truth;
   std::string inliers;
   std::string model;
-  SyntheticKind kind = SyntheticKind::Ball;
-  std::optional<Index> num_correspondences;
-  std::optional<double> outlier_rate, noise_extent, noise_bound, max_translation;
-  std::vector<double> scale_range;
-  std::uint64_t seed = SyntheticOptions{}.seed;
+  SyntheticOptions options;
   bool json = false;
 };
 
@@ -47,21 +42,19 @@ SyntheticOptions preset(SyntheticKind kind) {
   }
 }
 
-SyntheticOptions resolve(const Arguments& arguments) {
-  SyntheticOptions options = preset(arguments.kind);
-  options.seed = arguments.seed;
-  options.num_correspondences = arguments.num_correspondences.value_or(options.num_correspondences);
-  options.outlier_rate = arguments.outlier_rate.value_or(options.outlier_rate);
-  options.noise_extent = arguments.noise_extent.value_or(options.noise_extent);
+/// What the command line gave; the rest is as the kind has it.
+SyntheticOptions resolve(const CLI::App& command, const SyntheticOptions& given) {
+  SyntheticOptions options = preset(given.kind);
+  options::for_each_option<SyntheticOptions>([&](const auto& option) {
+    if (command.count(flag_of(option.about.name)) == 0) return;
+    std::invoke(option.place, options) = std::invoke(option.place, given);
+  });
   // a bound that follows the noise keeps "--noise 0.05" alone meaningful
-  if (arguments.noise_extent) {
-    options.noise_bound = std::max(options.noise_bound, *arguments.noise_extent);
+  if (command.count("--noise-extent") > 0 && command.count("--noise-bound") == 0) {
+    options.noise_bound = std::max(options.noise_bound, options.noise_extent);
   }
-  options.noise_bound = arguments.noise_bound.value_or(options.noise_bound);
-  options.max_translation = arguments.max_translation.value_or(options.max_translation);
-  options.num_cloud_points = std::max(options.num_cloud_points, options.num_correspondences);
-  if (!arguments.scale_range.empty()) {
-    options.scale_range = {arguments.scale_range[0], arguments.scale_range[1]};
+  if (command.count("--num-cloud-points") == 0) {
+    options.num_cloud_points = std::max(options.num_cloud_points, options.num_correspondences);
   }
   return options;
 }
@@ -75,7 +68,7 @@ std::vector<Index> inliers_of(const SyntheticProblem& problem) {
 }
 
 ExitCode run(const Arguments& arguments) {
-  const SyntheticOptions options = resolve(arguments);
+  const SyntheticOptions& options = arguments.options;
   const SyntheticProblem problem =
       arguments.model.empty() ? make_synthetic(options)
                               : make_synthetic(options, read_cloud(arguments.model).points);
@@ -121,23 +114,16 @@ void add_synth_command(CLI::App& app, Work& work) {
   command.add_option("--inliers", arguments->inliers, "True inlier indices to write")
       ->type_name("FILE");
   command.add_option("--model", arguments->model, "Cloud to take points from")->type_name("CLOUD");
-  add_choice<SyntheticKind>(command, "--kind", arguments->kind,
-                            {{"ball", SyntheticKind::Ball},
-                             {"random", SyntheticKind::Random},
-                             {"structured", SyntheticKind::Structured}},
-                            "Protocol");
-  command.add_option("--num", arguments->num_correspondences, "Matches");
-  command.add_option("--outliers", arguments->outlier_rate, "Share of wrong matches, 0 to 1");
-  command.add_option("--noise", arguments->noise_extent, "Extent of the noise, metres");
-  command.add_option("--noise-bound", arguments->noise_bound, "Bound of an inlier's error, metres");
-  command.add_option("--max-translation", arguments->max_translation, "Largest shift an axis");
-  command.add_option("--scale-range", arguments->scale_range, "Range of the true scale")
-      ->expected(2)
-      ->type_name("MIN MAX");
-  command.add_option("--seed", arguments->seed, "Same seed, same problem")->capture_default_str();
+  add_flags(command, arguments->options);
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_name() != "--kind") option->default_str("");  // each kind has its own
+  }
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &command, &work] {
+    arguments->options = resolve(command, arguments->options);
+    work = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace gmcr::cli

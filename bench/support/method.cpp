@@ -8,7 +8,7 @@ namespace {
 
 void use_gravity(Options& options, const Problem& problem) {
   if (!problem.gravity) throw std::invalid_argument("gravity: not known for this problem");
-  options.priors.gravity = problem.gravity;
+  options.gravity = problem.gravity;
 }
 
 void estimate_noise(Options& options) {

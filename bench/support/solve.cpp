@@ -46,7 +46,7 @@ Result time_solves(const Problem& problem, const Options& options, int repetitio
         std::chrono::steady_clock::now() - start;
     wall_ms.push_back(elapsed.count());
     // A solve that took half of its time limit or more is slow enough to be seen in one run.
-    if (elapsed.count() > 500 * options.budget.time) break;
+    if (elapsed.count() > 500 * options.time_limit) break;
   }
   record["wall_ms"] = quantile(wall_ms, 0.5);
   record["wall_ms_quartiles"] = {quantile(wall_ms, 0.25), quantile(wall_ms, 0.75)};
@@ -92,8 +92,8 @@ Json solve(const Problem& problem, Options options, const NamedMethod& method, T
   try {
     options.noise_bound = problem.noise_bound;
     method.adapt(options, problem);
-    options.budget.time = options.certify ? limits.certify : limits.solve;
-    record["time_limit"] = options.budget.time;
+    options.time_limit = options.certify ? limits.certify : limits.solve;
+    record["time_limit"] = options.time_limit;
     const Result result = time_solves(problem, options, options.certify ? 1 : repetitions, record);
     record.update(frontend::describe(result));
     const Consensus truth = consensus_of_truth(problem, options, result);

@@ -19,8 +19,9 @@ enum class NormalOrientation {
   Outward,          ///< away from the centroid of the cloud: for models of whole objects
 };
 
-/// How clouds become correspondences. Lengths are in voxels, so that one set of defaults serves
-/// objects and cities.
+/// How clouds become correspondences. None of the names is one of `Options` or `InstanceOptions`,
+/// so that a tool can take them all side by side. Lengths are in voxels, so that one set of
+/// defaults serves objects and cities.
 struct FrontendOptions {
   /// Edge of a voxel, metres of the target frame, >= 0; 0 chooses it from the clouds.
   double voxel_size = 0;
@@ -42,16 +43,13 @@ struct FrontendOptions {
   /// Keep a match only where its feature distance is at most this share of the distance to the
   /// second best, in (0, 1]; 1 keeps all.
   double max_ratio = 1;
-  /// Of the matches that share a target, keep the one closest in feature space. Without effect
-  /// where `mutual` is set: mutual matches share none.
-  bool one_to_one = false;
 
   /// Settings that `register_clouds` may try before it settles for the best result, >= 1. The first
   /// is the one above; the others change voxel size, sides of the normals and, for small clouds,
   /// feature radius and filters of the matches.
   int max_attempts = 8;
 
-  /// @throws std::invalid_argument naming field and value.
+  /// @throws InvalidOption naming option and value.
   void validate() const;
 };
 
@@ -106,7 +104,7 @@ struct CloudResult {
 /// neighbours in feature space.
 ///
 /// @param source, target  3 x N and 3 x M, metres, finite; N and M may differ and may be 0.
-/// @param options  `scale_mode`, `scale`, `noise_bound` and `num_threads` are read.
+/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one` and `num_threads` are read.
 /// @return no matches where a cloud has fewer than 3 distinct voxels or no surface.
 /// @throws std::invalid_argument where a point is not finite, an option is out of range, or the
 ///   cloud spans too many voxels to number them.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gmcr/clique.hpp"
+#include "gmcr/invalid_option.hpp"
 #include "gmcr/priors.hpp"
 #include "gmcr/types.hpp"
 
@@ -42,12 +43,6 @@ struct ScaleRange {
   double max = 0;
 };
 
-/// What a solve may use. Where one binds, the result says so in `Diagnostics::limits_hit`.
-struct Budget {
-  double time = 60;                           ///< seconds of wall time, > 0; infinity for none
-  std::size_t memory = std::size_t{4} << 30;  ///< bytes for graphs, > 0
-};
-
 /// How far a solve has come.
 struct Progress {
   const char* stage = "";  ///< name of the stage, as in `Diagnostics::stages`
@@ -58,16 +53,16 @@ struct Progress {
 /// which then ends as if its time were up.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
-/// Every choice a caller can make. The defaults here are the only ones: the tool reads them.
-struct Options {
+/// Every choice a caller can make, among them the priors: `gravity`, `initial_pose` and
+/// `max_translation`. Names, units and defaults are the same in Python and in the tool, which read
+/// them from `src/options/table.hpp`; what each means, and what it may be, stands there in words.
+struct Options : Priors {
   NoiseMode noise_mode = NoiseMode::Given;
   /// Bound on the noise of a target point, metres, > 0. Required where the noise is given, unless
   /// `noise_bounds` is.
   double noise_bound = 0;
   /// One bound per correspondence, metres, each > 0, instead of `noise_bound`. Empty: not used.
   std::vector<double> noise_bounds;
-  /// Inlier threshold c of the paper, > 0: i is an inlier iff its residual <= noise_bound_i / c.
-  double threshold = 1;
 
   ScaleMode scale_mode = ScaleMode::Known;
   double scale = 1;  ///< the scale when known, > 0
@@ -76,9 +71,9 @@ struct Options {
 
   Method method = Method::Gmcr;
   Evidence evidence = Evidence::Distinct;
-  Priors priors;  ///< what is known of the transform; none by default
   /// Search for poses with at most one inlier of those that share a source or a target point. The
-  /// inliers and the certificate still speak of all.
+  /// inliers and the certificate still speak of all. Matches of clouds that share a target and are
+  /// not mutual are thinned out to the one that is closest in feature space.
   bool one_to_one = false;
   /// Return the least-squares fit to the inliers, fitted again until they stay the same, instead of
   /// the pose that holds the most: closer to the truth where the bound is several times the noise,
@@ -89,17 +84,19 @@ struct Options {
   /// Poses to return, >= 1: the best one and up to num_hypotheses - 1 alternatives, each with a
   /// consensus set of its own (symmetric objects, repeated structure).
   int num_hypotheses = 1;
-  /// Spend what is left of the time budget on proving the consensus a maximum one: a search over
+  /// Spend what is left of the time limit on proving the consensus a maximum one: a search over
   /// sets of correspondences that no pose fits jointly tightens the upper bounds.
   bool certify = false;
 
   int num_threads = 0;  ///< >= 0; 0 uses every core. The result does not depend on it.
-  Budget budget;
+  /// What a solve may use. Where one binds, the result says so in `Diagnostics::limits_hit`.
+  double time_limit = 60;                             ///< seconds of wall time, > 0; infinity: any
+  std::size_t memory_limit = std::size_t{4} << 30;    ///< bytes for graphs, > 0
   std::shared_ptr<const CliqueSolver> clique_solver;  ///< null: `max_clique`
   ProgressCallback progress;                          ///< null: none
   std::stop_token stop;  ///< a request, from any thread, ends the search as if its time were up
 
-  /// @throws std::invalid_argument naming field and value.
+  /// @throws InvalidOption naming option and value.
   void validate() const;
 };
 

@@ -32,14 +32,15 @@ struct Priors {
   std::optional<InitialPose> initial_pose;
   double max_translation = std::numeric_limits<double>::infinity();  ///< metres, > 0, of |t|
 
-  bool empty() const {
+  /// Whether nothing is known: every transform is admitted.
+  bool admit_all() const {
     return !gravity && !initial_pose && max_translation == std::numeric_limits<double>::infinity();
   }
 
   /// Whether the transform satisfies all of them, to rounding.
   bool admit(const Similarity& target_from_source) const;
 
-  /// @throws std::invalid_argument naming field and value.
+  /// @throws InvalidOption naming option and value.
   void validate() const;
 };
 

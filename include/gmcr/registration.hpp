@@ -11,7 +11,7 @@ namespace gmcr {
 
 /// Transform that most of the putative correspondences source.col(i) -> target.col(i) agree with.
 ///
-/// Maximises the evidence of { i : |target_i - (s R source_i + t)| <= noise_bound_i / threshold }
+/// Maximises the evidence of { i : |target_i - (s R source_i + t)| <= noise_bound_i }
 /// (Gentner et al. 2023, eq:pcr_maxcon) by consistency graphs and maximum cliques, and bounds from
 /// above how many inliers any transform can have.
 /// @param source, target  3 x N, the same N, metres, finite.
@@ -19,25 +19,25 @@ namespace gmcr {
 /// @throws std::invalid_argument on a shape mismatch, a value that is not finite, or a bad option,
 ///   before any work.
 /// Cost: O(N^2) time and N^2 / 8 bytes for the graph; the clique search is exponential in the worst
-/// case and bounded by `options.budget`; `NoiseMode::Estimated` adds about 11 cheap solves.
+/// case and bounded by `options.time_limit`; `NoiseMode::Estimated` adds about 11 cheap solves.
 /// Deterministic for any thread count unless the time binds.
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options);
 
 /// When the search for further instances ends.
 struct InstanceOptions {
-  int max_instances = 10;   ///< >= 1
-  Index min_inliers = 8;    ///< >= 3: an instance needs that many
-  double min_share = 0.25;  ///< in [0, 1]: and that share of the evidence of the first one
+  int max_instances = 10;            ///< >= 1
+  Index min_instance_inliers = 8;    ///< >= 3: an instance needs that many
+  double min_instance_share = 0.25;  ///< in [0, 1]: and that share of the evidence of the first one
 
-  /// @throws std::invalid_argument naming field and value.
+  /// @throws InvalidOption naming option and value.
   void validate() const;
 };
 
 /// Several instances of the source in the target: registers, removes the consensus set, registers
 /// what is left, and so on.
 ///
-/// @param source, target, options  as for `register_correspondences`; `options.budget.time` is for
+/// @param source, target, options  as for `register_correspondences`; `options.time_limit` is for
 ///   all of them together.
 /// @return the instances found, in that order; the first whatever it holds, so never empty. The
 ///   inliers of the others are those that no earlier one has, as indices into the caller's input;
@@ -70,7 +70,7 @@ struct Uncertainty {
 };
 
 /// Uncertainty of a given transform, by the same rules as in `Result`.
-/// @param source, target, options  as for `register_correspondences`; `options.budget.time` ends
+/// @param source, target, options  as for `register_correspondences`; `options.time_limit` ends
 ///   the intersection of the scales, which is wider then.
 /// @param inliers  its consensus set (`evaluate_consensus`), indices into the input.
 /// @throws std::invalid_argument as `evaluate_consensus`, and on an index out of range.

@@ -25,22 +25,20 @@ struct ReportContext {
   const Options* options = nullptr;
   /// Wall time of the work without reading files, seconds; without it that of the diagnostics.
   std::optional<double> total_seconds;
-  Refinement refinement;     ///< of two clouds
-  std::string options_json;  ///< JSON that becomes the field `options`; empty: no such field
+  Refinement refinement;  ///< of two clouds
 };
 
 /// A result as one JSON object: the schema of `gmcr solve --json`, docs/json.md.
 ///
 /// Numbers have full precision; one that is not finite is null.
 /// @param indent  spaces a level; -1: all on one line.
-/// @throws std::invalid_argument where `context.options_json` is no JSON.
 /// Cost O(number of inliers).
 std::string to_json(const Result& result, const ReportContext& context = {}, int indent = -1);
 
 /// The same of the first instance, and each instance in `instances`. The times of the stages are
 /// those of all.
 /// @param instances  at least one.
-/// @throws std::invalid_argument also where there is none.
+/// @throws std::invalid_argument where there is none.
 std::string to_json(const std::vector<Result>& instances, const ReportContext& context = {},
                     int indent = -1);
 

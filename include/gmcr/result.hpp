@@ -59,8 +59,8 @@ struct Covariance {
 
 /// The noise bound that was chosen from the data, and how sure that is.
 struct NoiseEstimate {
-  /// Metres: the tightest bound that keeps a consensus about as sure as any bound, times the
-  /// threshold. For noise in a ball its radius, for Gaussian noise 1.7 to 2.5 standard deviations.
+  /// Metres: the tightest bound that keeps a consensus about as sure as any bound. For noise in a
+  /// ball its radius, for Gaussian noise 1.7 to 2.5 standard deviations.
   double noise_bound = 0;
   /// Bounds over which the consensus is stable: a search with any of those that were tried between
   /// them leads to the same pose. Metres.
@@ -84,9 +84,9 @@ struct StageTime {
 
 /// What ended a part of the work before it was complete.
 enum class Limit {
-  Time,             ///< `Budget::time`
+  Time,             ///< `Options::time_limit`
   Stopped,          ///< the caller, through `Options::stop` or `Options::progress`
-  Memory,           ///< `Budget::memory`
+  Memory,           ///< `Options::memory_limit`
   CliqueSearch,     ///< a search for a maximum clique ended before its proof
   EvidenceSearch,   ///< a search for the clique of most evidence ended before its proof
   ScaleSearch,      ///< the branch and bound over the scale ended before its proof
@@ -124,8 +124,8 @@ struct Result {
   Status status = Status::TooFewCorrespondences;
   std::string status_reason;  ///< empty when Ok
   Similarity target_from_source;
-  /// Exactly the correspondences whose residual |b - (s R a + t)| is within the noise bound (over
-  /// the threshold); ascending indices into the caller's input.
+  /// Exactly the correspondences whose residual |b - (s R a + t)| is within the noise bound;
+  /// ascending indices into the caller's input.
   std::vector<Index> inliers;
   /// Sum of the evidence of the inliers: their number with `Evidence::Count`, less where some of
   /// them are the same evidence seen twice with `Evidence::Distinct`.

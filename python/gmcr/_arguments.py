@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from ._gmcr import Similarity
+from ._gmcr import Options, Similarity
 
 
 class HasPose(Protocol):
@@ -60,3 +61,25 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
     if not isinstance(options, kind):
         raise TypeError(f"options: expected {kind.__name__}, got {type(options).__name__}")
     return options
+
+
+@functools.cache
+def option_names(kind: type[Any]) -> tuple[str, ...]:
+    """Names of the options of a kind, such as ``Options``, in their order."""
+    return tuple(kind().__getstate__())
+
+
+def split_options(
+    first: type[T], first_options: T | None, options: Options | None, keywords: dict[str, Any]
+) -> tuple[T, Options]:
+    """Options of two kinds as given, or made from the keywords; no name is in both.
+
+    Raises
+    ------
+    TypeError
+        where the options of a kind and keywords of it are given, or a keyword is unknown.
+    """
+    names = option_names(first)
+    others = {name: value for name, value in keywords.items() if name not in names}
+    own = {name: value for name, value in keywords.items() if name in names}
+    return as_options(first, first_options, own), as_options(Options, options, others)

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _gmcr
-from ._arguments import PoseLike, as_options, as_points, as_pose
+from ._arguments import PoseLike, as_options, as_points, as_pose, split_options
 from ._gmcr import CloudMatches, CloudResult, FrontendOptions, Options
 
 
@@ -36,7 +36,7 @@ def register_clouds(
     options : Options, optional
         For the solver; ``noise_bound`` 0 takes the bound from the voxel size.
     **keywords
-        Fields of ``Options``, instead of ``options``.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these.
 
     Returns
     -------
@@ -48,11 +48,9 @@ def register_clouds(
     ValueError
         on a wrong shape, a value that is not finite, or an option out of range.
     """
+    matching, solver = split_options(FrontendOptions, frontend, options, keywords)
     return _gmcr.register_clouds(
-        as_points(source, "source"),
-        as_points(target, "target"),
-        as_options(FrontendOptions, frontend, {}),
-        as_options(Options, options, keywords),
+        as_points(source, "source"), as_points(target, "target"), matching, solver
     )
 
 
@@ -73,19 +71,19 @@ def match(
         Points, metres, finite.
     frontend : FrontendOptions, optional
         How clouds become correspondences.
-    options, **keywords
-        ``scale_mode``, ``scale``, ``noise_bound`` and ``num_threads`` are read.
+    options : Options, optional
+        ``scale_mode``, ``scale``, ``noise_bound``, ``one_to_one`` and ``num_threads`` are read.
+    **keywords
+        Fields of ``Options`` and ``FrontendOptions``, instead of these.
 
     Returns
     -------
     CloudMatches
         Matched points, their indices, the clouds after the voxel grid.
     """
+    matching, solver = split_options(FrontendOptions, frontend, options, keywords)
     return _gmcr.match_clouds(
-        as_points(source, "source"),
-        as_points(target, "target"),
-        as_options(FrontendOptions, frontend, {}),
-        as_options(Options, options, keywords),
+        as_points(source, "source"), as_points(target, "target"), matching, solver
     )
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _gmcr
-from ._arguments import PoseLike, as_options, as_points, as_pose
+from ._arguments import PoseLike, as_options, as_points, as_pose, split_options
 from ._gmcr import Consensus, InstanceOptions, Options, Result, Uncertainty
 
 
@@ -82,18 +82,16 @@ def register_instances(
     instances : InstanceOptions, optional
         When the search ends.
     **keywords
-        Fields of ``Options``, instead of ``options``.
+        Fields of ``Options`` and ``InstanceOptions``, instead of these.
 
     Returns
     -------
     list of Result
         Never empty; the inliers of later ones are those that no earlier one has.
     """
+    limits, solver = split_options(InstanceOptions, instances, options, keywords)
     return _gmcr.register_instances(
-        as_points(source, "source"),
-        as_points(target, "target"),
-        as_options(Options, options, keywords),
-        as_options(InstanceOptions, instances, {}),
+        as_points(source, "source"), as_points(target, "target"), solver, limits
     )
 
 

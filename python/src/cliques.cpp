@@ -1,7 +1,7 @@
 #include "bindings.hpp"
 #include "gmcr/clique.hpp"
 #include "interruptible.hpp"
-#include "record.hpp"
+#include "option_record.hpp"
 
 namespace gmcr::python {
 namespace {
@@ -39,37 +39,6 @@ BitsetGraph graph_of(const EdgeArray& edges, Index num_vertices) {
   return graph;
 }
 
-void bind_clique_options(nb::module_& module) {
-  Record<CliqueOptions>(module, "CliqueOptions",
-                        "How a clique search may end early and what it may start from.")
-      .field("time_limit", &CliqueOptions::time_limit, "Seconds, >= 0.")
-      .field("max_nodes", &CliqueOptions::max_nodes, "Search nodes, never exceeded.")
-      .field("initial_clique", &CliqueOptions::initial_clique,
-             "Known clique to start from; may be empty.")
-      .field("must_exceed", &CliqueOptions::must_exceed,
-             "Report only a clique with more vertices than this; 0 reports any.")
-      .field("num_threads", &CliqueOptions::num_threads,
-             "0 ... 1024; 0 uses every core. The result is the same for any number.")
-      .field("max_memory", &CliqueOptions::max_memory, "Bytes for copies of the graph.")
-      .settable()
-      .def("validate", &CliqueOptions::validate,
-           "Raises ValueError naming the field and its value where one is out of range.");
-  Record<WeightedCliqueOptions>(module, "WeightedCliqueOptions",
-                                "How a search for a clique of maximum weight may end early.")
-      .field("time_limit", &WeightedCliqueOptions::time_limit, "Seconds, >= 0.")
-      .field("max_nodes", &WeightedCliqueOptions::max_nodes, "Search nodes.")
-      .field("max_work", &WeightedCliqueOptions::max_work,
-             "Word operations, about; 2**30 take about a second.")
-      .field("max_memory", &WeightedCliqueOptions::max_memory, "Bytes for copies of the graph.")
-      .field("must_exceed", &WeightedCliqueOptions::must_exceed,
-             "Report only a clique that weighs more than this; 0 reports any.")
-      .field("num_threads", &WeightedCliqueOptions::num_threads,
-             "0 ... 1024; 0 uses every core. The result is the same for any number.")
-      .settable()
-      .def("validate", &WeightedCliqueOptions::validate,
-           "Raises ValueError naming the field and its value where one is out of range.");
-}
-
 void bind_clique_results(nb::module_& module) {
   Record<CliqueResult>(module, "CliqueResult", "What a clique search found and proved.")
       .field("vertices", &CliqueResult::vertices, "(k,) int64, ascending, read only; a clique.")
@@ -101,7 +70,11 @@ void bind_clique_results(nb::module_& module) {
 }  // namespace
 
 void bind_cliques(nb::module_& module) {
-  bind_clique_options(module);
+  bind_checked_options<CliqueOptions>(
+      module, "CliqueOptions", "How a clique search may end early and what it may start from.");
+  bind_checked_options<WeightedCliqueOptions>(
+      module, "WeightedCliqueOptions",
+      "How a search for a clique of maximum weight may end early.");
   bind_clique_results(module);
   nb::class_<BitsetGraph>(module, "Graph", "Undirected simple graph, one bit a vertex pair.")
       .def_static("from_matrix", [](const DenseArray& matrix) { return graph_of(matrix); })

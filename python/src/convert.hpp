@@ -51,10 +51,10 @@ struct Convert {
 /// A fixed choice of words.
 template <class T>
 struct Convert<T, std::enable_if_t<std::is_enum_v<T>>> {
-  static std::string type() { return std::string("gmcr._enums.") + Choices<T>::kName; }
+  static std::string type() { return std::string("gmcr._enums.") + options::Words<T>::name; }
   static std::string accepted() { return "str"; }
   static nb::object to_python(T value, nb::handle) {
-    return nb::module_::import_("gmcr._enums").attr(Choices<T>::kName)(name_of(value));
+    return nb::module_::import_("gmcr._enums").attr(options::Words<T>::name)(name_of(value));
   }
   static T from_python(nb::handle value, const char* name) {
     std::string word;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -27,7 +28,7 @@ class Record {
 
   /// @param place  pointer to the member, or a function from T& to a reference.
   template <class Place>
-  Record& field(const char* name, Place place, const char* doc) {
+  Record& field(const char* name, Place place, const std::string& doc) {
     using Value = std::remove_cvref_t<std::invoke_result_t<Place, T&>>;
     fields_->push_back({name, doc, Convert<Value>::type(), Convert<Value>::accepted(),
                         [place](const T& self, nb::handle owner) {
@@ -37,6 +38,12 @@ class Record {
                         [place, name](T& self, nb::handle value) {
                           std::invoke(place, self) = Convert<Value>::from_python(value, name);
                         }});
+    return *this;
+  }
+
+  /// A keyword that is none any more, and what to do instead.
+  Record& gone(const std::string& name, const std::string& advice) {
+    (*gone_)[name] = advice;
     return *this;
   }
 
@@ -97,6 +104,18 @@ class Record {
     return name + "(" + text + ")";
   }
 
+  /// "; did you mean 'num_threads'?" of 'threads'.
+  static std::string advice(const Fields& fields, const std::map<std::string, std::string>& gone,
+                            const std::string& word) {
+    if (const auto found = gone.find(word); found != gone.end()) return ": " + found->second;
+    nb::list names;
+    for (const Field& field : fields) names.append(field.name);
+    const nb::object close =
+        nb::module_::import_("difflib").attr("get_close_matches")(word, names, 1);
+    if (nb::len(close) == 0) return "";
+    return "; did you mean '" + nb::cast<std::string>(nb::str(close[0])) + "'?";
+  }
+
   static std::string getter_signature(const Field& field) {
     return "def " + field.name + "(self) -> " + field.type;
   }
@@ -121,15 +140,16 @@ class Record {
   }
 
   auto initialiser() const {
-    return [fields = fields_, name = name_](T* self, nb::kwargs keywords) {
+    return [fields = fields_, gone = gone_, name = name_](T* self, nb::kwargs keywords) {
       T value{};
       for (auto [keyword, given] : keywords) {
         const auto word = nb::cast<std::string>(keyword);
         const auto field = std::find_if(fields->begin(), fields->end(),
                                         [&](const Field& known) { return known.name == word; });
         if (field == fields->end()) {
-          throw nb::type_error(
-              (name + "() got an unexpected keyword argument '" + word + "'").c_str());
+          throw nb::type_error((name + "() got an unexpected keyword argument '" + word + "'" +
+                                advice(*fields, *gone, word))
+                                   .c_str());
         }
         field->set(value, given);
       }
@@ -162,6 +182,8 @@ class Record {
   nb::class_<T> class_;
   std::string name_;
   std::shared_ptr<Fields> fields_ = std::make_shared<Fields>();
+  std::shared_ptr<std::map<std::string, std::string>> gone_ =
+      std::make_shared<std::map<std::string, std::string>>();
 };
 
 }  // namespace gmcr::python

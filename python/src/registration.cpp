@@ -38,7 +38,7 @@ nb::object graph_of(const PointsArray& source, const PointsArray& target, const 
         problem::centre(input.source, input.target, input.bounds);
     BitsetGraph edges = problem::consistency_graph(problem::consistency_arrays(centred, scales.max),
                                                    scales, watched.num_threads);
-    const problem::PairFilter filter(centred, options.priors, options.one_to_one, scales);
+    const problem::PairFilter filter(centred, options, options.one_to_one, scales);
     filter.apply(edges, scales, watched.num_threads);
     for (Index i = 0; i < input.size(); ++i) is_admitted[i] = filter.admits(i, scales);
     return edges;

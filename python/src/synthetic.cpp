@@ -1,40 +1,14 @@
 #include "gmcr/synthetic.hpp"
 
 #include "bindings.hpp"
+#include "option_record.hpp"
 #include "pose_properties.hpp"
-#include "record.hpp"
 
 namespace gmcr::python {
 
 void bind_synthetic(nb::module_& module) {
-  Record<SyntheticOptions>(module, "SyntheticOptions",
-                           "A random registration problem, up to its seed.")
-      .field("kind", &SyntheticOptions::kind, "'ball', 'random' or 'structured'.")
-      .field("num_correspondences", &SyntheticOptions::num_correspondences, ">= 0.")
-      .field("outlier_rate", &SyntheticOptions::outlier_rate, "In [0, 1].")
-      .field("seed", &SyntheticOptions::seed, ">= 0.")
-      .field("noise_shape", &SyntheticOptions::noise_shape, "'ball', 'gaussian' or 'cube'.")
-      .field("noise_extent", &SyntheticOptions::noise_extent,
-             "Metres, >= 0: radius of the ball, three standard deviations, or half an edge.")
-      .field("noise_bound", &SyntheticOptions::noise_bound,
-             "Bound of the error of every inlier, metres, at least the largest noise.")
-      .field("scale_range", &SyntheticOptions::scale_range, "(min, max) to draw the scale from.")
-      .field("max_translation", &SyntheticOptions::max_translation, "Metres, an axis, >= 0.")
-      .field("num_cloud_points", &SyntheticOptions::num_cloud_points,
-             "Points of the source cloud ('random', 'structured').")
-      .field("num_sphere_points", &SyntheticOptions::num_sphere_points,
-             "Points without a partner, on the sphere around the target.")
-      .field("num_bases", &SyntheticOptions::num_bases,
-             "Clusters of outliers ('structured'); 0: from the outlier rate.")
-      .field("source_neighbors", &SyntheticOptions::source_neighbors,
-             "A cluster's sources: the base and its nearest points.")
-      .field("target_neighbors", &SyntheticOptions::target_neighbors,
-             "A cluster's targets, >= source_neighbors.")
-      .field("association_neighbors", &SyntheticOptions::association_neighbors,
-             "An inlier's target is one of that many points near the true one; 0: the true one.")
-      .settable()
-      .def("validate", &SyntheticOptions::validate,
-           "Raises ValueError naming the field and its value where one is out of range.");
+  bind_checked_options<SyntheticOptions>(module, "SyntheticOptions",
+                                         "A random registration problem, up to its seed.");
   auto problem =
       Record<SyntheticProblem>(module, "SyntheticProblem", "Correspondences with their truth.")
           .field("source", &SyntheticProblem::source, "(N, 3), metres, read only.")

@@ -81,7 +81,7 @@ std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& tar
 }
 
 std::optional<Similarity> fit_pose(const Moments& given, const PoseConstraints& constraints) {
-  if (constraints.priors.empty()) return fit_similarity(given, constraints.scales);
+  if (constraints.priors.admit_all()) return fit_similarity(given, constraints.scales);
   Moments moments = given;
   std::optional<Similarity> fit = fit_rotation_first(moments, constraints);
   const std::vector<Ball> all = balls(constraints);

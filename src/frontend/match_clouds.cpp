@@ -117,7 +117,7 @@ CloudMatches match_with(const PointsRef& source, const PointsRef& target,
       frontend::describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
   const auto pairs = frontend::match_features(
       source_features, target_features,
-      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, frontend.one_to_one});
+      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one});
   for (const frontend::FeatureMatch& pair : pairs) {
     matches.source_indices.push_back(pair.source);
     matches.target_indices.push_back(pair.target);

@@ -67,7 +67,7 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
   result.num_target_points = target.cols();
   result.matches = frontend::match_with(source, target, frontend, options, setting);
   const Index num_matches = result.matches.source.cols();
-  if (!first && BitsetGraph::bytes_required(num_matches) > options.budget.memory) {
+  if (!first && BitsetGraph::bytes_required(num_matches) > options.memory_limit) {
     return std::nullopt;
   }
   result.registration = register_matches(result.matches, options);
@@ -95,10 +95,10 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   if (!options.noise_bounds.empty()) {
-    throw std::invalid_argument("noise_bounds: " + std::to_string(options.noise_bounds.size()) +
-                                " values for matches that are not known yet");
+    throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
+                                            " values for matches that are not known yet");
   }
-  const parallel::Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   CloudResult best;
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
@@ -111,7 +111,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
       break;
     }
     Options remaining = options;
-    remaining.budget.time = std::max(deadline.remaining(), parallel::kLeastSeconds);
+    remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
     auto result = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
     if (!result) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});

@@ -73,7 +73,7 @@ std::vector<double> measure_length_differences(const Points& source, const Point
 
 BoundSearch::BoundSearch(const PointsRef& source, const PointsRef& target, const Options& options)
     : options_(options),
-      deadline_(options.budget.time / 2, options.stop),
+      deadline_(options.time_limit / 2, options.stop),
       source_(source),
       target_(target),
       source_distances_(source_),
@@ -141,14 +141,13 @@ Options BoundSearch::cheap_options(double bound) const {
   Options cheap = options_;
   cheap.noise_mode = NoiseMode::Given;
   cheap.noise_bound = bound;
-  cheap.threshold = 1;
   cheap.least_squares = false;
   cheap.num_hypotheses = 1;
   cheap.certify = false;
   cheap.clique_solver = clique_solver_;
   cheap.progress = nullptr;
   const double steps_left = std::max(1.0, num_steps_ - static_cast<double>(trials_.size()));
-  cheap.budget.time = std::max(deadline_.remaining() / steps_left, parallel::kLeastSeconds);
+  cheap.time_limit = std::max(deadline_.remaining() / steps_left, parallel::kLeastSeconds);
   return cheap;
 }
 
@@ -210,10 +209,10 @@ double BoundSearch::chosen_bound() const {
 }
 
 NoiseEstimate BoundSearch::estimate() const {
-  const double noise_bound = chosen_bound() * options_.threshold;
+  const double noise_bound = chosen_bound();
   if (!choice_) return {noise_bound, noise_bound, noise_bound, 0};
   const auto [lowest, highest] = stable_bounds();
-  return {noise_bound, lowest * options_.threshold, highest * options_.threshold, choice_->log10};
+  return {noise_bound, lowest, highest, choice_->log10};
 }
 
 /// Whether a pose moves the consensus set of the best one by less than its bound, on average.

@@ -15,7 +15,7 @@
 namespace gmcr::noise {
 
 /// Search for the tightest noise bound under which the consensus of a pose is about as sure as
-/// under any. All bounds in here are those of inliers: noise bounds over the threshold, metres.
+/// under any. Bounds are metres.
 class BoundSearch {
  public:
   /// @param source, target  N >= 3 correspondences, none twice.

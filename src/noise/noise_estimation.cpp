@@ -40,7 +40,7 @@ Options with_bound(const Options& options, double noise_bound) {
 Options remaining_options(const Options& options, const BoundSearch& search,
                           const parallel::Deadline& deadline) {
   Options remaining = with_bound(options, search.estimate().noise_bound);
-  remaining.budget.time = std::max(deadline.remaining(), parallel::kLeastSeconds);
+  remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
   if (search.cancelled()) remaining.progress = [](const Progress&) { return false; };
   return remaining;
 }
@@ -66,12 +66,12 @@ Result register_with_estimated_noise(const PointsRef& source, const PointsRef& t
   if (source.cols() < 3) return register_correspondences(source, target, with_bound(options, 1));
   const std::vector<Index> distinct = distinct_correspondences(source, target);
   if (distinct.size() < 3) return no_consensus(options, source.cols(), kChance);
-  if (options.priors.empty()) {
+  if (options.admit_all()) {
     // before any work; priors may leave fewer
     Diagnostics unused;
     problem::SolveContext(options, unused).require_memory_for_graph(source.cols());
   }
-  const parallel::Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   const Points distinct_source = source(Eigen::all, distinct);
   const Points distinct_target = target(Eigen::all, distinct);
   BoundSearch search(distinct_source, distinct_target, options);

@@ -31,11 +31,11 @@ struct Pruned {
 void require_memory_for_tims(const problem::SolveContext& context, Index num_correspondences) {
   const auto n = static_cast<std::size_t>(num_correspondences);
   const std::size_t bytes = n * (n - 1) / 2 * kBytesPerTim;
-  if (bytes <= context.options().budget.memory) return;
-  throw std::invalid_argument("budget.memory: " + std::to_string(context.options().budget.memory) +
-                              " bytes, but the scale stage of " +
-                              std::to_string(num_correspondences) + " correspondences takes " +
-                              std::to_string(bytes));
+  if (bytes <= context.options().memory_limit) return;
+  throw InvalidOption("memory_limit", std::to_string(context.options().memory_limit) +
+                                          " bytes, but the scale stage of " +
+                                          std::to_string(num_correspondences) +
+                                          " correspondences takes " + std::to_string(bytes));
 }
 
 /// All pairs that the filter admits, in lexicographic order.
@@ -91,7 +91,7 @@ std::optional<Pruned> prune_by_consistency(problem::SolveContext& context,
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.
 Tims within_memory(problem::SolveContext& context, Tims tims) {
   Index count = tims.size();
-  const std::size_t budget = context.options().budget.memory;
+  const std::size_t budget = context.options().memory_limit;
   const std::size_t taken = std::min(budget / 2, static_cast<std::size_t>(count) * kBytesPerTim);
   while (BitsetGraph::bytes_required(count) > budget - taken) {
     count -= count / 16 + 1;
@@ -154,7 +154,7 @@ search::MethodResult solve_paper(problem::SolveContext& context,
     context.limit({Limit::CliqueSearch,
                    "the clique search of a rotation or translation graph ended before its proof"});
   }
-  if (constraints.priors.empty()) {
+  if (constraints.priors.admit_all()) {
     result.poses.push_back({pruned->scale, rotation->rotation, translation.translation});
   } else {
     // the stages know of the priors what single pairs say; the pose has to satisfy them

@@ -37,7 +37,7 @@ struct ScaleMeasurements {
 };
 
 /// Deviation: eq:consensus:scale multiplies alpha_k by the threshold c where the objective that it
-/// comes from divides by c. The bounds here are divided by c already.
+/// comes from divides by c. Here c = 1: the bounds say all.
 ScaleMeasurements measure_scales(const Tims& tims);
 
 }  // namespace gmcr::paper

@@ -9,9 +9,9 @@ namespace {
 
 Eigen::ArrayXd inlier_bounds(const Options& options, Index count) {
   if (options.noise_bounds.empty()) {
-    return Eigen::ArrayXd::Constant(count, options.noise_bound / options.threshold);
+    return Eigen::ArrayXd::Constant(count, options.noise_bound);
   }
-  return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count) / options.threshold;
+  return Eigen::Map<const Eigen::ArrayXd>(options.noise_bounds.data(), count);
 }
 
 }  // namespace
@@ -24,8 +24,8 @@ void validate_input(const PointsRef& source, const PointsRef& target, const Opti
   }
   const auto num_bounds = static_cast<Index>(options.noise_bounds.size());
   if (num_bounds != 0 && num_bounds != source.cols()) {
-    throw std::invalid_argument("noise_bounds: " + std::to_string(num_bounds) + " values for " +
-                                std::to_string(source.cols()) + " correspondences");
+    throw InvalidOption("noise_bounds", std::to_string(num_bounds) + " values for " +
+                                            std::to_string(source.cols()) + " correspondences");
   }
   for (const auto& [name, points] : {std::pair<const char*, const PointsRef&>{"source", source},
                                      std::pair<const char*, const PointsRef&>{"target", target}}) {

@@ -28,7 +28,7 @@ std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
 }  // namespace
 
 SolveContext::SolveContext(const Options& options, Diagnostics& diagnostics)
-    : options_(options), diagnostics_(diagnostics), deadline_(options.budget.time, options.stop) {}
+    : options_(options), diagnostics_(diagnostics), deadline_(options.time_limit, options.stop) {}
 
 bool SolveContext::stopped() {
   if (cancelled_ || options_.stop.stop_requested()) {
@@ -60,7 +60,7 @@ SolveContext::Clique SolveContext::max_clique(const BitsetGraph& graph, Index mu
   clique_options.max_nodes = max_nodes;
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
-  clique_options.max_memory = memory_left(graph, options_.budget.memory);
+  clique_options.max_memory = memory_left(graph, options_.memory_limit);
   CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
                                               : gmcr::max_clique(graph, clique_options);
   diagnostics_.num_clique_nodes += found.nodes;
@@ -80,7 +80,7 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
   clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
   clique_options.max_work = max_work(graph);
-  clique_options.max_memory = memory_left(graph, options_.budget.memory);
+  clique_options.max_memory = memory_left(graph, options_.memory_limit);
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
@@ -91,11 +91,11 @@ SolveContext::Clique SolveContext::max_weight_clique(const BitsetGraph& graph,
 
 void SolveContext::require_memory_for_graph(Index num_vertices) const {
   const std::size_t bytes = BitsetGraph::bytes_required(num_vertices);
-  if (bytes <= options_.budget.memory) return;
-  throw std::invalid_argument("budget.memory: " + std::to_string(options_.budget.memory) +
-                              " bytes, but the consistency graph of " +
-                              std::to_string(num_vertices) + " correspondences takes " +
-                              std::to_string(bytes));
+  if (bytes <= options_.memory_limit) return;
+  throw InvalidOption("memory_limit", std::to_string(options_.memory_limit) +
+                                          " bytes, but the consistency graph of " +
+                                          std::to_string(num_vertices) + " correspondences takes " +
+                                          std::to_string(bytes));
 }
 
 void SolveContext::add_stage_time(const char* stage, double seconds) {

@@ -27,8 +27,8 @@ parallel::Deadline certify_deadline(search::PoseSearch& search, search::Measure 
   return deadline.within(measure == search::Measure::Evidence ? remaining / 2 : remaining);
 }
 
-double tighten(search::PoseSearch& search, const search::RangeGraph& range, search::Measure measure, double upper_bound,
-               const parallel::Deadline& deadline) {
+double tighten(search::PoseSearch& search, const search::RangeGraph& range, search::Measure measure,
+               double upper_bound, const parallel::Deadline& deadline) {
   if (deadline.expired()) {
     if (search.certifies()) search.note_early_end(measure, {Limit::ConsensusSearch, kEndedEarly});
     return upper_bound;
@@ -36,7 +36,7 @@ double tighten(search::PoseSearch& search, const search::RangeGraph& range, sear
   // the search works on copies of the graph
   constexpr std::size_t kCopies = 4;
   if (kCopies * BitsetGraph::bytes_required(search.arrays().size()) >
-      search.context().options().budget.memory) {
+      search.context().options().memory_limit) {
     search.context().limit(
         {Limit::Memory, "the memory budget leaves no room to tighten the bounds"});
     return upper_bound;

@@ -117,7 +117,7 @@ problem::Hypothesis climb_by_motions(const problem::Objective& objective,
                                      const estimation::PoseConstraints& constraints,
                                      problem::Hypothesis best) {
   constexpr double kNear = 1.6;
-  if (best.num_inliers() < problem::kMinInliers || !constraints.priors.empty()) return best;
+  if (best.num_inliers() < problem::kMinInliers || !constraints.priors.admit_all()) return best;
   const NearSet near(objective, best.target_from_source, kNear);
   PatternSearch search(near, constraints, best);
   problem::Hypothesis next = objective.judge(search.run());

@@ -59,8 +59,8 @@ void conclude(Result& result, problem::SolveContext& context, const search::Meth
   // where all were used, their weights are known
   const bool all_used = objective.correspondences().size() == input.size();
   const problem::Objective on_input(input, all_used ? Evidence::Count : options.evidence,
-                                    options.budget.memory / 4,
-                                    problem::DistinctEvidence::kAllScales, objective.octaves());
+                                    options.memory_limit / 4, problem::DistinctEvidence::kAllScales,
+                                    objective.octaves());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
     context.limit(
@@ -83,7 +83,7 @@ void conclude(Result& result, problem::SolveContext& context, const search::Meth
   result.inliers = best.inliers;
   result.evidence = best.evidence;
   result.status_reason = degeneracy_reason(input.source, best.target_from_source, best.inliers,
-                                           input.bounds(best.inliers).maxCoeff(), options.priors);
+                                           input.bounds(best.inliers).maxCoeff(), options);
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
   result.alternatives = distinct_alternatives(std::move(judged));
   describe_uncertainty(result, context, input);

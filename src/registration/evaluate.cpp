@@ -14,7 +14,7 @@ namespace {
 /// A given pose is judged by a given bound.
 void require_given_noise(const Options& options) {
   if (options.noise_mode == NoiseMode::Given) return;
-  throw std::invalid_argument("noise_mode: is Estimated, but a given pose needs a noise bound");
+  throw InvalidOption("noise_mode", "is 'estimated', but a given pose needs a noise bound");
 }
 
 /// @throws std::invalid_argument where a pose is none.
@@ -32,7 +32,7 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   require_pose(target_from_source);
   const problem::Correspondences input = problem::correspondences_of(source, target, options);
   const problem::Hypothesis judged =
-      problem::Objective(input, options.evidence, options.budget.memory / 4,
+      problem::Objective(input, options.evidence, options.memory_limit / 4,
                          problem::DistinctEvidence::kAllScales, search::octaves_of(options, input))
           .judge(target_from_source);
   return {judged.inliers, judged.evidence};
@@ -52,12 +52,11 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
   const problem::Correspondences input = problem::correspondences_of(source, target, options);
   Uncertainty uncertainty =
       registration::measure_uncertainty(target_from_source, input, inliers, options,
-                                        parallel::Deadline(options.budget.time, options.stop));
-  const bool determined =
-      uncertainty.covariance &&
-      registration::degeneracy_reason(source, target_from_source, inliers,
-                                      input.bounds(inliers).maxCoeff(), options.priors)
-          .empty();
+                                        parallel::Deadline(options.time_limit, options.stop));
+  const bool determined = uncertainty.covariance &&
+                          registration::degeneracy_reason(source, target_from_source, inliers,
+                                                          input.bounds(inliers).maxCoeff(), options)
+                              .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;
 }

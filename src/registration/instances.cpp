@@ -16,7 +16,7 @@ namespace {
 /// The options for some of the correspondences.
 Options options_of(const Options& options, const std::vector<Index>& left, double seconds) {
   Options some = options;
-  some.budget.time = std::max(seconds, parallel::kLeastSeconds);
+  some.time_limit = std::max(seconds, parallel::kLeastSeconds);
   if (!options.noise_bounds.empty()) {
     some.noise_bounds.clear();
     for (const Index i : left) {
@@ -33,25 +33,11 @@ void renumber(std::vector<Index>& indices, const std::vector<Index>& left) {
 
 }  // namespace
 
-void InstanceOptions::validate() const {
-  if (max_instances < 1) {
-    throw std::invalid_argument("max_instances: " + std::to_string(max_instances) +
-                                " is less than 1");
-  }
-  if (min_inliers < 3) {
-    throw std::invalid_argument("min_inliers: " + std::to_string(min_inliers) +
-                                " is less than 3, which a pose needs");
-  }
-  if (!(min_share >= 0 && min_share <= 1)) {
-    throw std::invalid_argument("min_share: " + std::to_string(min_share) + " is not in [0, 1]");
-  }
-}
-
 std::vector<Result> register_instances(const PointsRef& source, const PointsRef& target,
                                        const Options& options, const InstanceOptions& instances) {
   problem::validate_input(source, target, options);
   instances.validate();
-  const parallel::Deadline deadline(options.budget.time, options.stop);
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   std::vector<Index> left(static_cast<std::size_t>(source.cols()));
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Result> found;
@@ -61,7 +47,7 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
           {Limit::Time, "the time budget ended the search for further instances"});
       break;
     }
-    if (!found.empty() && static_cast<Index>(left.size()) < instances.min_inliers) break;
+    if (!found.empty() && static_cast<Index>(left.size()) < instances.min_instance_inliers) break;
     const auto solve = [&](bool least_squares) {
       Options some = options_of(options, left, deadline.remaining());
       some.least_squares = least_squares;
@@ -71,8 +57,8 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
     Result result = solve(false);
     const bool is_instance =
         result.status == Status::Ok &&
-        static_cast<Index>(result.inliers.size()) >= instances.min_inliers &&
-        (found.empty() || result.evidence >= instances.min_share * found.front().evidence);
+        static_cast<Index>(result.inliers.size()) >= instances.min_instance_inliers &&
+        (found.empty() || result.evidence >= instances.min_instance_share * found.front().evidence);
     if (!found.empty() && !is_instance) break;
     std::vector<Index> taken = result.inliers;
     renumber(taken, left);

@@ -32,7 +32,7 @@ std::vector<Index> indices_below(Index count) {
 std::vector<Index> admitted_correspondences(const problem::Correspondences& centred,
                                             const Options& options, const ScaleRange& scales) {
   std::vector<Index> admitted = indices_below(centred.size());
-  const problem::PairFilter filter(centred, options.priors, false, scales);
+  const problem::PairFilter filter(centred, options, false, scales);
   std::erase_if(admitted, [&](Index i) { return !filter.admits(i, scales); });
   return admitted;
 }
@@ -70,9 +70,9 @@ ScaleRange scales_to_search(const Options& options,
 
 std::string no_pose_reason(const Diagnostics& diagnostics, const Options& options) {
   if (!diagnostics.limits_hit.empty()) return "no pose was found before a limit ended the search";
-  return options.priors.empty() ? "no three correspondences agree on a pose"
-                                : "no three correspondences agree on a pose that the priors admit, "
-                                  "as far as was found";
+  return options.admit_all() ? "no three correspondences agree on a pose"
+                             : "no three correspondences agree on a pose that the priors admit, "
+                               "as far as was found";
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
 
   const problem::Objective objective = [&] {
     const problem::StageTimer timer(context, "evidence");
-    return problem::Objective(centred, options.evidence, options.budget.memory / 4, scales,
+    return problem::Objective(centred, options.evidence, options.memory_limit / 4, scales,
                               search::octaves_of(options, input));
   }();
   if (!objective.weights_complete()) {
@@ -129,9 +129,9 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
         {Limit::Memory,
          "the memory budget does not suffice for distinct evidence: inliers were counted"});
   }
-  const estimation::PoseConstraints constraints{scales, options.priors, centred.source_origin,
+  const estimation::PoseConstraints constraints{scales, options, centred.source_origin,
                                                 centred.target_origin};
-  const problem::PairFilter filter(centred, options.priors, options.one_to_one, scales);
+  const problem::PairFilter filter(centred, options, options.one_to_one, scales);
   search::MethodResult found = options.method == Method::Gmcr
                                    ? search::solve_gmcr(context, objective, constraints, filter)
                                    : paper::solve_paper(context, centred, constraints, filter);
@@ -140,7 +140,7 @@ Result register_correspondences(const PointsRef& source, const PointsRef& target
     for (Similarity& pose : found.poses)
       pose = refine::fit_to_consensus(objective, constraints, pose);
   }
-  found.poses = admitted_poses(found.poses, centred, options.priors);
+  found.poses = admitted_poses(found.poses, centred, options);
   if (found.poses.empty()) {
     return give_up(Status::NoConsensus, no_pose_reason(diagnostics, options), found.upper_bound);
   }

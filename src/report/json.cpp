@@ -1,6 +1,7 @@
+#include "options/json.hpp"
+
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 
 #include "gmcr/isa.hpp"
 #include "gmcr/report.hpp"
@@ -152,11 +153,7 @@ std::optional<double> noise_bound_of(const CloudMatches& matches, const Options*
 /// The options, the words, and all of it as text.
 std::string finish(Json json, const std::vector<ReportLine>& lines, const ReportContext& context,
                    int indent) {
-  if (!context.options_json.empty()) {
-    Json options = Json::parse(context.options_json, nullptr, false);
-    if (options.is_discarded()) throw std::invalid_argument("options_json: no JSON");
-    json["options"] = std::move(options);
-  }
+  if (context.options) json["options"] = options::to_json<Json>(*context.options);
   Json words = Json::array();
   for (const ReportLine& line : lines) {
     words.push_back({{"label", line.label}, {"text", line.text}, {"tone", to_string(line.tone)}});

@@ -78,7 +78,7 @@ void add_noise(Lines& lines, const NoiseEstimate& estimate) {
 /// The poses that the certificate speaks of.
 const char* no_pose(const Options* options) {
   if (!options) return "no admitted pose";
-  return options->priors.empty() ? "no pose" : "no pose that the priors admit";
+  return options->admit_all() ? "no pose" : "no pose that the priors admit";
 }
 
 void add_certificate(Lines& lines, const Result& result, const Options* options) {

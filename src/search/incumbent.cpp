@@ -109,7 +109,7 @@ void PoseSearch::offer(const Similarity& pose) {
   ++context_.diagnostics().num_candidates;
   const problem::Correspondences& c = objective_.correspondences();
   problem::Hypothesis judged = objective_.judge(pose);
-  if (!constraints_.priors.empty()) {
+  if (!constraints_.priors.admit_all()) {
     const auto admitted =
         estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, constraints_);
     if (!admitted) return;

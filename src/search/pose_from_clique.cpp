@@ -60,7 +60,7 @@ std::optional<Similarity> staged_pose(problem::SolveContext& context,
       context, correspondences, paper::touched_correspondences(tims, rotation->tims), pose.scale,
       pose.rotation, kMaxCliqueNodes);
   pose.translation = translation.translation;
-  if (constraints.priors.empty()) return pose;
+  if (constraints.priors.admit_all()) return pose;
   return estimation::fit_pose(correspondences.source, correspondences.target,
                               correspondences.bounds, translation.correspondences,
                               estimation::at_scale(constraints, pose.scale));

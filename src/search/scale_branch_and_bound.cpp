@@ -20,7 +20,7 @@ constexpr const char* kEndedEarly =
 constexpr std::size_t kMaxBytes = std::size_t{1} << 27;  // of lists of pairs, and of tables
 
 std::size_t max_bytes(PoseSearch& search) {
-  return std::min(kMaxBytes, search.context().options().budget.memory / 4);
+  return std::min(kMaxBytes, search.context().options().memory_limit / 4);
 }
 
 ScaleVotes count_votes(PoseSearch& search, const ScaleBins& bins) {

@@ -13,8 +13,8 @@ template <typename Value>
 void require(bool holds, const char* field, Value value, const char* rule) {
   if (holds) return;
   std::ostringstream message;
-  message << field << ": " << value << ", must be " << rule;
-  throw std::invalid_argument(message.str());
+  message << value << ", must be " << rule;
+  throw InvalidOption(field, message.str());
 }
 
 double largest_noise(const SyntheticOptions& options) {

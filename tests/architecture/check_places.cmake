@@ -59,7 +59,7 @@ only_from(noise search paper problem parallel)
 only_from(registration noise proof search refine paper problem options estimation kernels parallel geometry)
 only_from(synthetic geometry)
 only_from(frontend geometry parallel)
-only_from(report -)
+only_from(report options)
 only_from(io -)
 
 if(failures)

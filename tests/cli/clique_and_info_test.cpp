@@ -1,6 +1,7 @@
 #include <sched.h>
 
 #include "cli/tool.hpp"
+#include "gmcr/frontend.hpp"
 #include "gmcr/options.hpp"
 
 namespace gmcr {
@@ -24,8 +25,12 @@ TEST(CliqueContract, CountsVerticesAsTheFile) {
 TEST(InfoContract, SaysVersionAndDefaults) {
   const json result = run_json("info");
   EXPECT_TRUE(result.at("version").is_string());
-  EXPECT_EQ(result.at("defaults").at("threshold"), Options{}.threshold);
-  EXPECT_EQ(result.at("defaults").at("time_limit"), Options{}.budget.time);
+  EXPECT_EQ(result.at("defaults").at("num_hypotheses"), Options{}.num_hypotheses);
+  EXPECT_EQ(result.at("defaults").at("hypotheses"), Options{}.num_hypotheses);
+  EXPECT_EQ(result.at("defaults").at("attempts"), FrontendOptions{}.max_attempts);
+  EXPECT_EQ(result.at("defaults").at("min_instance_inliers"), 8);
+  EXPECT_EQ(result.at("defaults").at("orientation"), "automatic");
+  EXPECT_EQ(result.at("defaults").at("time_limit"), Options{}.time_limit);
 }
 
 TEST(InfoContract, CountsTheThreadsThatTheProcessMayUse) {

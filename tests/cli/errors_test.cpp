@@ -20,6 +20,21 @@ TEST(Help, OfEveryCommandHasAnExample) {
   EXPECT_EQ(run_tool("--version").exit_code, 0);
 }
 
+TEST(Help, GivesEachOptionItsNameAndItsAlias) {
+  const std::string solve = run_tool("solve --help").out;
+  for (const char* flags :
+       {"--num-threads,--threads", "--num-hypotheses,--hypotheses", "--max-instances,--instances",
+        "--gravity-max-tilt,--max-tilt", "--initial-pose-max-rotation,--max-rotation-error",
+        "--estimate-scale", "--scale-mode", "--one-to-one", "--time-limit", "--memory-limit"}) {
+    EXPECT_NE(solve.find(flags), std::string::npos) << flags;
+  }
+  const std::string clouds = run_tool("register --help").out;
+  for (const char* flags : {"--voxel-size,--voxel", "--source-voxel-size,--source-voxel",
+                            "--max-attempts,--attempts", "--no-mutual"}) {
+    EXPECT_NE(clouds.find(flags), std::string::npos) << flags;
+  }
+}
+
 TEST(Usage, ThatIsWrongIsRefusedOnOneLine) {
   expect_failure("", 2, "A command is required");
   expect_failure("frobnicate", 2, "frobnicate");
@@ -46,19 +61,26 @@ TEST(OptionValue, OutOfRangeIsRefusedByItsName) {
   const std::string solve = "solve '" + matches + "' --noise-bound ";
   expect_failure(solve + "-1", 2, "--noise-bound");
   expect_failure(solve + "nan", 2, "--noise-bound");
-  expect_failure(solve + "1 --threshold 0", 2, "--threshold");
+  expect_failure(solve + "1 --threshold 1", 2, "--threshold");
   expect_failure(solve + "1 --scale -2", 2, "--scale");
-  expect_failure(solve + "1 --threads -1", 2, "--threads");
+  expect_failure(solve + "1 --threads -1", 2, "gmcr: --threads: -1 is not in [0, 1024]");
+  expect_failure(solve + "1 --threads=-1", 2, "gmcr: --threads: -1 is not in [0, 1024]");
+  expect_failure(solve + "1 --num-threads -1", 2, "gmcr: --num-threads: -1 is not");
+  expect_failure(solve + "1 --threads some", 2, "--threads");
+  expect_failure(solve + "1 --hypotheses 0", 2, "gmcr: --hypotheses: 0 is not at least 1");
+  expect_failure(solve + "1 --instances 0", 2, "gmcr: --instances: 0 is not at least 1");
+  expect_failure(solve + "1 --min-instance-share 0.5", 2, "--min-instance-share requires");
   expect_failure(solve + "1 --time-limit 0", 2, "--time-limit");
   expect_failure(solve + "1 --memory-limit 0", 2, "--memory-limit");
   expect_failure(solve + "1 --estimate-scale --scale-range 2 1", 2, "--scale-range");
   const std::string clouds = " '" + cloud + "' '" + cloud + "' ";
-  expect_failure("register" + clouds + "--voxel -1", 2, "--voxel");
+  expect_failure("register" + clouds + "--voxel -1", 2, "gmcr: --voxel: -1 is not at least 0");
+  expect_failure("register" + clouds + "--voxel-size -1", 2, "gmcr: --voxel-size: -1");
   expect_failure("register" + clouds + "--max-ratio 2", 2, "--max-ratio");
-  expect_failure("register" + clouds + "--attempts 0", 2, "--attempts");
+  expect_failure("register" + clouds + "--attempts 0", 2, "gmcr: --attempts: 0 is not");
   expect_failure("register" + clouds + "--refine magic", 2, "--refine");
   expect_failure("match" + clouds + "--feature-radius 0 -o x.csv", 2, "--feature-radius");
-  expect_failure("synth -o x.csv --outliers 2", 2, "--outliers");
+  expect_failure("synth -o x.csv --outliers 2", 2, "gmcr: --outliers: 2, must be in [0, 1]");
   expect_failure("synth -o x.csv --kind cube", 2, "--kind");
 }
 

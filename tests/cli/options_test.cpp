@@ -47,11 +47,16 @@ TEST_F(SolveOption, EstimateScaleFindsTheScaleInsideTheRange) {
   EXPECT_LT(elsewhere.at("num_inliers").get<int>(), 20);
 }
 
-TEST_F(SolveOption, ThresholdDividesTheNoiseBound) {
-  EXPECT_EQ(solve("--noise-bound 0.02 --threshold 2 --scale 2").at("inliers"),
-            solve("--noise-bound 0.01 --scale 2").at("inliers"));
-  EXPECT_LT(solve("--noise-bound 0.01 --threshold 4 --scale 2").at("num_inliers"),
-            solve("--noise-bound 0.01 --scale 2").at("num_inliers"));
+TEST_F(SolveOption, IsTheSameByItsNameAndByItsAlias) {
+  const auto pose = [&](const std::string& options) {
+    return solve("--noise-bound 0.01 " + options).at("target_from_source");
+  };
+  EXPECT_EQ(pose("--scale-mode estimated"), pose("--estimate-scale"));
+  EXPECT_EQ(pose("--scale 2 --num-threads 1"), pose("--scale 2 --threads 1"));
+  const auto chosen = [&](const std::string& noise) {
+    return solve(noise + " --scale 2").at("noise_estimate");
+  };
+  EXPECT_EQ(chosen("--noise-mode estimated"), chosen("--noise-bound auto"));
 }
 
 TEST_F(SolveOption, MethodChangesTheStages) {
@@ -111,7 +116,8 @@ TEST(SynthOption, EachChangesTheProblem) {
   for (const char* options :
        {"--num 61", "--num 60 --seed 1", "--num 60 --outliers 0.1", "--num 60 --noise 0.05",
         "--num 60 --scale-range 2 3", "--num 60 --max-translation 9", "--num 60 --kind random",
-        "--num 60 --kind structured", "--num 60 --noise-bound 0.5"}) {
+        "--num 60 --kind structured", "--num 60 --noise-bound 0.5",
+        "--num 60 --noise-shape gaussian"}) {
     EXPECT_NE(made(options), base) << options;
   }
 }

@@ -68,8 +68,8 @@ TEST_F(PriorOption, OutOfRangeIsRefusedByItsName) {
   fails("--gravity 0 0 1 --max-tilt 181", "--max-tilt: 181 is not between");
   fails("--gravity 0 0 1 --max-tilt nan", "--max-tilt: nan is not between");
   fails("--gravity 0 0 1 --max-tilt some", "--max-tilt: 'some' is no number");
-  fails("--max-translation 0", "--max-translation: 0 is not a positive number");
-  fails("--max-translation -1", "--max-translation: -1 is not a positive number");
+  fails("--max-translation 0", "--max-translation: 0 is not positive");
+  fails("--max-translation -1", "--max-translation: -1 is not positive");
   fails(pose, "--initial-pose needs --max-rotation-error, --max-translation-error or both");
   fails("--max-rotation-error 5", "--max-rotation-error requires --initial-pose");
   fails("--max-translation-error 5", "--max-translation-error requires --initial-pose");

@@ -154,9 +154,9 @@ TEST(MatchClouds, EachOptionChangesTheMatches) {
   EXPECT_TRUE(changed([](auto& f) { f.max_ratio = 0.9; }));
   FrontendOptions one_way = base;
   one_way.mutual = false;
-  FrontendOptions one_to_one = one_way;
+  Options one_to_one;
   one_to_one.one_to_one = true;
-  EXPECT_FALSE(equal(match(one_to_one), match(one_way)));
+  EXPECT_FALSE(equal(match_clouds(pair.source, pair.target, one_way, one_to_one), match(one_way)));
   FrontendOptions seen = base;
   seen.orientation = NormalOrientation::TowardViewpoint;
   FrontendOptions from_elsewhere = seen;

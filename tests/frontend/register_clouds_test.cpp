@@ -119,7 +119,7 @@ TEST(RegisterClouds, ChoosesTheNoiseBoundFromTheMatches) {
 
 TEST(RegisterClouds, StopsTheAttemptsWhenTheTimeIsUp) {
   Options options;
-  options.budget.time = 1e-9;
+  options.time_limit = 1e-9;
   const CloudResult result =
       register_clouds(bumpy_sphere(3000, 1), 2 * random_points(3000, 2), {}, options);
   EXPECT_EQ(result.num_attempts, 1);

@@ -118,16 +118,6 @@ TEST(NoiseEstimation, DoesNotSeeTheOrigin) {
   EXPECT_NEAR(far.noise_estimate->noise_bound, near.noise_estimate->noise_bound, 1e-6);
 }
 
-TEST(NoiseEstimation, DividesTheBoundByTheThreshold) {
-  const auto problem = ball_problem(0.8, NoiseShape::Ball, false);
-  Options options = unknown_noise();
-  const Result one = register_correspondences(problem.source, problem.target, options);
-  options.threshold = 2;
-  const Result two = register_correspondences(problem.source, problem.target, options);
-  EXPECT_EQ(two.inliers, one.inliers);
-  EXPECT_DOUBLE_EQ(two.noise_estimate->noise_bound, 2 * one.noise_estimate->noise_bound);
-}
-
 TEST(NoiseEstimation, IsTheSameForAnyNumberOfThreads) {
   const auto problem = ball_problem(0.8, NoiseShape::Ball, false);
   Options options = unknown_noise();
@@ -142,7 +132,7 @@ TEST(NoiseEstimation, IsTheSameForAnyNumberOfThreads) {
 TEST(NoiseEstimation, KeepsToTheTimeAndSaysSo) {
   const auto problem = testing::random_problem(9, 50, 50);
   Options options = unknown_noise();
-  options.budget.time = 1e-9;
+  options.time_limit = 1e-9;
   const Result result = register_correspondences(problem.source, problem.target, options);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
   EXPECT_EQ(result.diagnostics.limits_hit.back().sentence,
@@ -187,8 +177,8 @@ TEST(NoiseEstimation, RefusesABoundAsWell) {
   options.noise_bounds.assign(10, 0.1);
   EXPECT_EQ(message(options).rfind("noise_bounds:", 0), 0u);
   options.noise_bounds.clear();
-  options.budget.memory = 10;
-  EXPECT_EQ(message(options).rfind("budget.memory:", 0), 0u);
+  options.memory_limit = 10;
+  EXPECT_EQ(message(options).rfind("memory_limit:", 0), 0u);
   EXPECT_THROW(evaluate_consensus(problem.truth, problem.source, problem.target, unknown_noise()),
                std::invalid_argument);
   EXPECT_THROW(evaluate_uncertainty(problem.truth, problem.source, problem.target, {0, 1, 2},

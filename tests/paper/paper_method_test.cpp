@@ -77,7 +77,7 @@ TEST(PaperMethod, KeepsToTheTimeLimitInsideItsGraphs) {
   const auto problem = random_problem(12, 450, 50);
   Options options = problem.options();
   options.method = Method::Paper;
-  options.budget.time = 0.2;
+  options.time_limit = 0.2;
   const parallel::Deadline clock(0);
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_LT(clock.elapsed(), 20);  // all of its rotation graph takes minutes
@@ -88,7 +88,7 @@ TEST(PaperMethod, SaysWhenTheMemoryBudgetKeepsPairsOut) {
   const auto problem = random_problem(8, 80, 0);
   Options options = problem.options();
   options.method = Method::Paper;
-  options.budget.memory = 400'000;  // holds the 3,160 TIMs, but not a graph of them
+  options.memory_limit = 400'000;  // holds the 3,160 TIMs, but not a graph of them
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_EQ(result.status, Status::Ok);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
@@ -100,7 +100,7 @@ TEST(PaperMethod, RefusesAScaleStageThatDoesNotFitTheMemoryBudget) {
   const auto problem = random_problem(9, 100, 0);
   Options options = problem.options_with_unknown_scale();
   options.method = Method::Paper;
-  options.budget.memory = 100'000;
+  options.memory_limit = 100'000;
   EXPECT_THROW(register_correspondences(problem.source, problem.target, options),
                std::invalid_argument);
 }

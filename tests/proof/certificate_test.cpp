@@ -69,8 +69,8 @@ std::vector<Options> all_options(const Problem& problem) {
     options.evidence = choice & 2u ? Evidence::Count : Evidence::Distinct;
     options.certify = choice & 4u;
     options.one_to_one = choice & 8u;
-    if (choice & 16u) options.priors.gravity = gravity_of(problem.truth);
-    options.budget.time = options.certify ? 0.02 : 10;
+    if (choice & 16u) options.gravity = gravity_of(problem.truth);
+    options.time_limit = options.certify ? 0.02 : 10;
     all.push_back(options);
   }
   return all;
@@ -94,7 +94,7 @@ std::vector<Similarity> poses_to_bound(const Problem& problem, const Result& res
   }
   std::erase_if(poses, [&](const Similarity& pose) {
     const ScaleRange& scales = result.diagnostics.scale_range;
-    return !options.priors.admit(pose) || pose.scale < scales.min || pose.scale > scales.max;
+    return !options.admit(pose) || pose.scale < scales.min || pose.scale > scales.max;
   });
   return poses;
 }
@@ -157,7 +157,7 @@ TEST(Certificate, IsTightenedByTheJointSearchAndNeverLoosened) {
         Options options = scale_is_known ? problem.options() : problem.options_with_unknown_scale();
         const Result plain = register_correspondences(problem.source, problem.target, options);
         options.certify = true;
-        options.budget.time = 1 + 3 * plain.diagnostics.total_seconds;
+        options.time_limit = 1 + 3 * plain.diagnostics.total_seconds;
         const Result tight = register_correspondences(problem.source, problem.target, options);
         const Certificate &loose = plain.certificate, &bounds = tight.certificate;
         EXPECT_LE(bounds.upper, loose.upper) << seed;
@@ -249,7 +249,7 @@ TEST(Certificate, OfTheShortestTimeIsValidAndSaysSo) {
     for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
       options.certify = certify;
       options.num_hypotheses = 3;
-      options.budget.time = 1e-6;
+      options.time_limit = 1e-6;
       const Result result = register_correspondences(problem.source, problem.target, options);
       EXPECT_FALSE(result.diagnostics.limits_hit.empty());
       EXPECT_FALSE(result.certificate.certified);
@@ -263,7 +263,7 @@ TEST(Certificate, OfAHardProblemKeepsToTheTime) {
   for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
     options.certify = true;
     options.num_hypotheses = 3;
-    options.budget.time = 0.2;
+    options.time_limit = 0.2;
     const auto begin = std::chrono::steady_clock::now();
     const Result result = register_correspondences(problem.source, problem.target, options);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;

@@ -254,7 +254,7 @@ COMMAND = [sys.executable, "-m", "gmcr.batch"]
 def test_the_command_says_what_it_did(tmp_path, capsys):
     pairs, out = write_pairs(tmp_path, ["a", "b"]), tmp_path / "out"
     arguments = [str(pairs), "--out", str(out), "--format", "jsonl", "--workers", "1"]
-    assert main([*arguments, "--noise-bound", "0.05", "--set", "threshold=0.5"]) == 0
+    assert main([*arguments, "--noise-bound", "0.05", "--set", "num_hypotheses=2"]) == 0
     error = capsys.readouterr().err
     assert "2 of 2 pairs" in error and "2 ok" in error and "100%" in error
     assert main([*arguments, "--noise-bound", "0.06", "--quiet"]) == 2

@@ -20,7 +20,6 @@ VALUES = {
     "target_viewpoint": [4.0, 5, 6],
     "mutual": False,
     "max_ratio": 0.75,
-    "one_to_one": True,
     "max_attempts": 3,
 }
 
@@ -114,10 +113,21 @@ def test_a_frontend_option_changes_the_matches(clouds, name, value):
 def test_one_to_one_leaves_one_match_a_target(clouds):
     frontend = gmcr.FrontendOptions(voxel_size=0.08, mutual=False)
     shared = gmcr.match(*clouds[:2], frontend).target_indices
-    frontend.one_to_one = True
-    single = gmcr.match(*clouds[:2], frontend).target_indices
+    single = gmcr.match(*clouds[:2], frontend, one_to_one=True).target_indices
     assert len(np.unique(shared)) < len(shared)
     assert len(np.unique(single)) == len(single)
+
+
+def test_keywords_are_of_both_kinds_of_options(clouds):
+    frontend = gmcr.FrontendOptions(voxel_size=0.08, mutual=False)
+    given = gmcr.match(*clouds[:2], frontend, gmcr.Options(noise_bound=0.05))
+    by_name = gmcr.match(*clouds[:2], voxel_size=0.08, mutual=False, noise_bound=0.05)
+    assert by_name.noise_bound == given.noise_bound == 0.05
+    assert by_name.target.tobytes() == given.target.tobytes()
+    with pytest.raises(TypeError, match="not both"):
+        gmcr.match(*clouds[:2], frontend, voxel_size=0.1)
+    with pytest.raises(TypeError, match="'voxels'"):
+        gmcr.register_clouds(*clouds[:2], voxels=0.1)
 
 
 def test_max_attempts_bounds_the_settings_that_are_tried():

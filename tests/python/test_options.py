@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import re
 import time
 
 import gmcr
@@ -20,7 +21,6 @@ VALUES = {
     "noise_mode": "estimated",
     "noise_bound": 0.02,
     "noise_bounds": [0.1, 0.2, 0.3],
-    "threshold": 2.5,
     "scale_mode": "estimated",
     "scale": 1.5,
     "scale_range": (0.5, 4.0),
@@ -85,6 +85,36 @@ def test_an_unknown_name_is_refused(problem):
         gmcr.Options(0.02)
 
 
+@pytest.mark.parametrize(
+    ("kind", "name", "advice"),
+    [
+        (gmcr.Options, "threads", "did you mean 'num_threads'?"),
+        (gmcr.Options, "hypotheses", "did you mean 'num_hypotheses'?"),
+        (gmcr.Options, "threshold", "divide noise_bound by it"),
+        (gmcr.FrontendOptions, "one_to_one", "it is one of Options"),
+        (gmcr.InstanceOptions, "min_inliers", "it is called min_instance_inliers"),
+        (gmcr.InstanceOptions, "min_share", "it is called min_instance_share"),
+    ],
+)
+def test_an_old_or_misspelt_name_is_refused_with_the_right_one(kind, name, advice):
+    with pytest.raises(TypeError, match=re.escape(f"keyword argument '{name}'")) as error:
+        kind(**{name: 1})
+    assert advice in str(error.value)
+
+
+def test_messages_name_the_option_as_it_is_written():
+    down = gmcr.GravityPrior(source=[0, 0, 0], target=[0, 0, 1])
+    with pytest.raises(ValueError, match=r"^gravity\.source: "):
+        gmcr.Options(noise_bound=1, gravity=down).validate()
+    with pytest.raises(ValueError, match=r"^certify: .*'paper'"):
+        gmcr.Options(noise_bound=1, method="paper", certify=True).validate()
+
+
+def test_docstrings_give_unit_and_range():
+    assert gmcr.Options.time_limit.__doc__.endswith("Wall time for the search (seconds, positive).")
+    assert "voxels" in gmcr.FrontendOptions.normal_radius.__doc__
+
+
 def test_options_and_keywords_together_are_refused(problem):
     options = gmcr.Options(noise_bound=1)
     with pytest.raises(TypeError, match="not both"):
@@ -131,12 +161,6 @@ def test_noise_mode_estimates_the_bound(problem):
     result = solve(problem, noise_bound=0, noise_mode="estimated")
     assert 0.003 < result.noise_estimate.noise_bound < 0.03
     assert solve(problem).noise_estimate is None
-
-
-def test_threshold_divides_the_bound(problem):
-    strict = solve(problem, threshold=3)
-    assert np.array_equal(strict.inliers, solve(problem, noise_bound=0.01 / 3).inliers)
-    assert len(strict.inliers) < len(solve(problem).inliers)
 
 
 def test_scale_is_the_scale_when_known(scaled_problem):
@@ -308,11 +332,13 @@ def test_instance_options_end_the_search():
     def count(**keywords):
         options = gmcr.InstanceOptions(**keywords)
         assert repr(pickle.loads(pickle.dumps(options))) == repr(options)
-        return len(gmcr.register_instances(source, target, None, options, noise_bound=0.01))
+        found = len(gmcr.register_instances(source, target, None, options, noise_bound=0.01))
+        assert found == len(gmcr.register_instances(source, target, noise_bound=0.01, **keywords))
+        return found
 
     assert count() == 2
     assert count(max_instances=1) == 1
-    assert count(min_inliers=21) == 1
-    assert count(min_share=0.5) == 1
+    assert count(min_instance_inliers=21) == 1
+    assert count(min_instance_share=0.5) == 1
     with pytest.raises(ValueError, match="max_instances"):
         count(max_instances=0)

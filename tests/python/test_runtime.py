@@ -139,12 +139,14 @@ def test_the_tool_gives_the_same_bits(problem, tool, tmp_path):
 
 def test_the_defaults_are_those_of_the_tool(tool):
     info = json.loads(subprocess.run([tool, "info", "--json"], capture_output=True).stdout)
-    options, frontend = gmcr.Options(), gmcr.FrontendOptions()
     defaults = info["defaults"]
     assert info["version"] == gmcr.__version__
     assert info["isa"] == gmcr.instruction_set() == gmcr.instruction_sets()[0]
     assert info["threads"] == gmcr.hardware_threads()
-    for name in ("threshold", "scale", "method", "evidence", "time_limit", "memory_limit"):
-        assert getattr(options, name) == defaults[name]
-    for name in ("normal_radius", "feature_radius", "noise_bound_voxels", "max_ratio"):
-        assert getattr(frontend, name) == defaults[name]
+    for kind in (gmcr.Options, gmcr.FrontendOptions, gmcr.InstanceOptions):
+        for name, value in kind().__getstate__().items():
+            if defaults.get(name) is not None:  # those that are infinite or not given are null
+                assert np.array_equal(value, defaults[name]), name
+    assert {"scale", "time_limit", "memory_limit", "max_ratio", "min_instance_share"} <= set(
+        defaults
+    )

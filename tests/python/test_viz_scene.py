@@ -98,11 +98,9 @@ def test_residuals_within_the_bounds_are_exactly_those_of_the_inliers(
     problem: gmcr.SyntheticProblem,
 ) -> None:
     bounds = np.random.default_rng(3).uniform(0.01, 0.03, len(problem.source))
-    result = gmcr.register_correspondences(
-        problem.source, problem.target, noise_bounds=bounds, threshold=1.25
-    )
-    _, scene = scene_of(result, problem, noise_bounds=bounds, threshold=1.25)
-    assert scene.bounds == pytest.approx(bounds / 1.25)
+    result = gmcr.register_correspondences(problem.source, problem.target, noise_bounds=bounds)
+    _, scene = scene_of(result, problem, noise_bounds=bounds)
+    assert scene.bounds == pytest.approx(bounds)
     assert np.flatnonzero(scene.residuals <= scene.bounds).tolist() == result.inliers.tolist()
 
 

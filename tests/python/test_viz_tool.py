@@ -50,7 +50,7 @@ def test_register_writes_a_report_and_nothing_but_json_on_stdout(
     report = tmp_path / "a report.html"
     done = run(
         tool, "register", tmp_path / "source.npy", tmp_path / "target.npy", "--json",
-        "--report", report, "--threshold", 1.5,
+        "--report", report, "--hypotheses", 2,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     result = json.loads(done.stdout)
@@ -58,7 +58,7 @@ def test_register_writes_a_report_and_nothing_but_json_on_stdout(
     assert f"inliers {result['num_inliers']} of {result['num_correspondences']} (" in text
     assert f"verdict {result['verdict']}: {result['verdict_reason']}" in text
     assert "showing all 3,000 points" in text
-    assert "threshold 1.5" in text
+    assert "num_hypotheses 2" in text
     assert "(100.0 %) pairs of inliers agree" in text
     assert f"gmcr {result['version']}" in text
 

@@ -41,9 +41,9 @@ TEST(RegisterCorrespondences, InliersAreExactlyTheCorrespondencesWithinTheBound)
     for (const Method method : {Method::Gmcr, Method::Paper}) {
       Options options = problem.options();
       options.method = method;
-      options.threshold = 0.8;
+      options.noise_bound = 0.0125;
       const Result result = register_correspondences(problem.source, problem.target, options);
-      EXPECT_EQ(result.inliers, within_bound(result, problem.source, problem.target, 0.01 / 0.8));
+      EXPECT_EQ(result.inliers, within_bound(result, problem.source, problem.target, 0.0125));
       EXPECT_EQ(result.certificate.lower, static_cast<Index>(result.inliers.size()));
     }
   }
@@ -164,7 +164,7 @@ TEST(RegisterCorrespondences, FindsTheScaleDespiteAPointFarOut) {
 TEST(RegisterCorrespondences, OfTheShortestTimeStillOffersAPose) {
   const auto problem = random_problem(18, 60, 20);
   Options options = problem.options();
-  options.budget.time = 1e-9;
+  options.time_limit = 1e-9;
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_EQ(result.status, Status::Ok);
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());
@@ -174,7 +174,7 @@ TEST(RegisterCorrespondences, OfTheShortestTimeStillOffersAPose) {
 TEST(RegisterCorrespondences, ATimeThatEndsWhileTheGraphIsBuiltLeavesTheTrivialBound) {
   const auto problem = random_problem(19, 3000, 3000);
   Options options = problem.options();
-  options.budget.time = 1e-4;
+  options.time_limit = 1e-4;
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());
   EXPECT_FALSE(result.certificate.certified);
@@ -243,7 +243,7 @@ TEST(RegisterCorrespondences, AsksTheCliqueSolverThatItIsGiven) {
 TEST(RegisterCorrespondences, StopsWhenTheTimeIsUpAndSaysSo) {
   const auto problem = random_problem(11, 20, 480);
   Options options = problem.options_with_unknown_scale();
-  options.budget.time = 1e-9;
+  options.time_limit = 1e-9;
   const Result result = register_correspondences(problem.source, problem.target, options);
   ASSERT_FALSE(result.diagnostics.limits_hit.empty());
   EXPECT_NE(result.diagnostics.limits_hit[0].sentence.find("time"), std::string::npos);

@@ -82,7 +82,7 @@ TEST(Evidence, DecidesWhatIsAnotherInstance) {
   for (auto& [c, options] : contests()) {
     const Points &source = c.problem.source, &target = c.problem.target;
     // the cluster has more inliers than the first instance, but less than half of its evidence
-    const InstanceOptions instances{.min_share = 0.6};
+    const InstanceOptions instances{.min_instance_share = 0.6};
     const auto distinct = register_instances(source, target, options, instances);
     ASSERT_EQ(distinct.size(), 1u);
     EXPECT_TRUE(c.is_truth(distinct[0].target_from_source));

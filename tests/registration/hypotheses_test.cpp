@@ -124,18 +124,18 @@ TEST(Hypotheses, KeepToThePriors) {
   Options options = object.problem.options();
   const Similarity& truth = object.problem.truth;
   // all four turn the axis of symmetry the same way
-  options.priors.gravity = {Eigen::Vector3d::UnitZ(), truth.rotation.col(2), 0.1};
-  options.priors.max_translation = truth.translation.norm() + 0.1;
+  options.gravity = {Eigen::Vector3d::UnitZ(), truth.rotation.col(2), 0.1};
+  options.max_translation = truth.translation.norm() + 0.1;
   expect_the_four_poses(object, options);
   // the second is a quarter turn from the first, the third a half
-  options.priors.initial_pose = InitialPose{truth, 2};
+  options.initial_pose = InitialPose{truth, 2};
   options.num_hypotheses = 4;
   const Result result =
       register_correspondences(object.problem.source, object.problem.target, options);
   ASSERT_GE(result.alternatives.size(), 2u);
   const std::vector<Alternative> found = all_poses(result);
   for (const Alternative& pose : found) {
-    EXPECT_TRUE(options.priors.admit(pose.target_from_source));
+    EXPECT_TRUE(options.admit(pose.target_from_source));
   }
   EXPECT_LT(mean_point_error(found[1].target_from_source, object.poses[1], object.problem.source),
             0.02);

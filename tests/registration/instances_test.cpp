@@ -84,8 +84,8 @@ TEST(RegisterInstances, FindsAllOfThemLargestFirst) {
     const Scene scene = three_instances(seed);
     Options options = scene.options();
     expect_all_found(scene, options, std::vector<double>(100, 0.01));
-    options.threshold = 0.8;
-    expect_all_found(scene, options, std::vector<double>(100, 0.01 / 0.8));
+    options.noise_bound = 0.0125;
+    expect_all_found(scene, options, std::vector<double>(100, 0.0125));
     options = scene.options();
     options.scale_mode = ScaleMode::Estimated;
     options.scale_range = ScaleRange{0.5, 2};
@@ -116,11 +116,11 @@ TEST(RegisterInstances, EndsWhereTheInstanceOptionsSay) {
   EXPECT_EQ(count({}), 3u);
   EXPECT_EQ(count({.max_instances = 1}), 1u);
   EXPECT_EQ(count({.max_instances = 2}), 2u);
-  EXPECT_EQ(count({.min_inliers = 20}), 2u);
-  EXPECT_EQ(count({.min_inliers = 25}), 1u);
-  EXPECT_EQ(count({.min_inliers = 40}), 1u);  // the first whatever it holds
-  EXPECT_EQ(count({.min_share = 0.6}), 2u);
-  EXPECT_EQ(count({.min_share = 0.9}), 1u);
+  EXPECT_EQ(count({.min_instance_inliers = 20}), 2u);
+  EXPECT_EQ(count({.min_instance_inliers = 25}), 1u);
+  EXPECT_EQ(count({.min_instance_inliers = 40}), 1u);  // the first whatever it holds
+  EXPECT_EQ(count({.min_instance_share = 0.6}), 2u);
+  EXPECT_EQ(count({.min_instance_share = 0.9}), 1u);
 }
 
 TEST(RegisterInstances, NumbersTheInliersOfAlternativesAsTheCallerDoes) {
@@ -160,9 +160,12 @@ TEST(RegisterInstances, EndsWhereNothingIsLeft) {
 
 TEST(RegisterInstances, NamesTheOptionThatIsOutOfRange) {
   const std::vector<std::pair<const char*, InstanceOptions>> cases = {
-      {"max_instances", {.max_instances = 0}}, {"max_instances", {.max_instances = -1}},
-      {"min_inliers", {.min_inliers = 2}},     {"min_share", {.min_share = -0.1}},
-      {"min_share", {.min_share = 1.1}},       {"min_share", {.min_share = std::nan("")}},
+      {"max_instances", {.max_instances = 0}},
+      {"max_instances", {.max_instances = -1}},
+      {"min_instance_inliers", {.min_instance_inliers = 2}},
+      {"min_instance_share", {.min_instance_share = -0.1}},
+      {"min_instance_share", {.min_instance_share = 1.1}},
+      {"min_instance_share", {.min_instance_share = std::nan("")}},
   };
   const auto problem = testing::random_problem(11, 10, 0);
   for (const auto& [field, instances] : cases) {
@@ -182,7 +185,7 @@ TEST(RegisterInstances, NamesTheOptionThatIsOutOfRange) {
 TEST(RegisterInstances, SaysWhenTheTimeEndedTheSearch) {
   const Scene scene = three_instances(12);
   Options options = scene.options();
-  options.budget.time = 1e-7;
+  options.time_limit = 1e-7;
   const auto found = register_instances(scene.source, scene.target, options);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_FALSE(found[0].diagnostics.limits_hit.empty());
@@ -199,10 +202,11 @@ TEST(RegisterInstances, ShareTheTime) {
   Options options;
   options.noise_bound = problem.noise_bound;
   options.scale_mode = ScaleMode::Estimated;
-  options.budget.time = 0.5;
+  options.time_limit = 0.5;
   const auto begin = std::chrono::steady_clock::now();
-  const auto found = register_instances(problem.source, problem.target, options,
-                                        {.max_instances = 8, .min_inliers = 3, .min_share = 0});
+  const auto found =
+      register_instances(problem.source, problem.target, options,
+                         {.max_instances = 8, .min_instance_inliers = 3, .min_instance_share = 0});
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   EXPECT_LT(found.size(), 8u);
   EXPECT_LT(wall.count(), 2);  // each with its own 0.5 s would take 4

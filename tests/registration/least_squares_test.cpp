@@ -86,10 +86,10 @@ TEST(LeastSquares, KeepsToThePriors) {
   const Problem problem = random_problem(3, 40, 60);
   Options options = loosely(problem.options());
   // shorter than the truth, by less than the bound
-  options.priors.max_translation = problem.truth.translation.norm() - 0.02;
+  options.max_translation = problem.truth.translation.norm() - 0.02;
   const Result result = solve(problem, options);
   EXPECT_GE(result.inliers.size(), 30u);
-  EXPECT_TRUE(options.priors.admit(result.target_from_source));
+  EXPECT_TRUE(options.admit(result.target_from_source));
 }
 
 TEST(LeastSquares, LeavesTheEstimatedNoiseBoundAsItIs) {

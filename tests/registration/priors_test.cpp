@@ -48,7 +48,7 @@ Contest contest(std::uint64_t seed, double tilt = 0) {
 }
 
 Result solve(const Problem& problem, Options options, const Priors& priors) {
-  options.priors = priors;
+  static_cast<Priors&>(options) = priors;
   const Result result = register_correspondences(problem.source, problem.target, options);
   if (result.status == Status::Ok) {
     EXPECT_TRUE(priors.admit(result.target_from_source));
@@ -211,11 +211,11 @@ TEST(Priors, NeverLetTheBoundFallBelowAnAdmittedPose) {
     options.one_to_one = seed % 2 == 0;
     options.method = seed % 4 < 2 ? Method::Gmcr : Method::Paper;
     const Vector3d up = random.unit();
-    options.priors.gravity = GravityPrior{up, problem.truth.rotation * up, 0.01};
-    options.priors.max_translation = problem.truth.translation.norm();
+    options.gravity = GravityPrior{up, problem.truth.rotation * up, 0.01};
+    options.max_translation = problem.truth.translation.norm();
     const auto at_truth =
         evaluate_consensus(problem.truth, problem.source, problem.target, options).inliers.size();
-    const Result result = solve(problem, options, options.priors);
+    const Result result = solve(problem, options, options);
     EXPECT_GE(result.certificate.upper, static_cast<Index>(at_truth)) << seed;
     EXPECT_GE(result.certificate.upper, result.certificate.lower);
   }
@@ -236,14 +236,14 @@ TEST(Priors, OnGravityMakeCollinearInliersEnough) {
       options.noise_bound = 0.01;
       options.method = method;
       for (const double max_tilt : {0.0, 0.01}) {
-        options.priors.gravity = upright(max_tilt);
+        options.gravity = upright(max_tilt);
         const Result result = register_correspondences(source, target, options);
         EXPECT_EQ(result.status, along_gravity ? Status::Degenerate : Status::Ok) << max_tilt;
         EXPECT_EQ(result.inliers.size(), 20u);
         if (along_gravity) continue;
         EXPECT_LT(rotation_error_deg(result.target_from_source.rotation, truth.rotation), 1);
       }
-      options.priors.gravity = upright(0.2);
+      options.gravity = upright(0.2);
       EXPECT_EQ(register_correspondences(source, target, options).status, Status::Degenerate);
     }
   }
@@ -253,7 +253,7 @@ TEST(Priors, GiveTheSameBitsForAnyNumberOfThreads) {
   Problem problem = testing::random_problem(40, 40, 600);
   Options options = problem.options();
   options.one_to_one = true;
-  options.priors.gravity =
+  options.gravity =
       GravityPrior{Vector3d::UnitX(), problem.truth.rotation * Vector3d::UnitX(), 0.05};
   options.num_threads = 1;
   const Result one = register_correspondences(problem.source, problem.target, options);
@@ -266,7 +266,7 @@ TEST(Priors, GiveTheSameBitsForAnyNumberOfThreads) {
 TEST(Priors, AreCheckedBeforeAnyWork) {
   const Problem problem = testing::random_problem(41, 10, 0);
   Options options = problem.options();
-  options.priors.max_translation = -1;
+  options.max_translation = -1;
   EXPECT_THROW(register_correspondences(problem.source, problem.target, options),
                std::invalid_argument);
 }

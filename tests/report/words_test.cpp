@@ -56,7 +56,7 @@ TEST(Report, ClaimsNothingOfPosesThatPriorsMayExclude) {
   EXPECT_TRUE(says(full(make_result()), "no admitted pose can have more than 5"));
   Options options;
   EXPECT_TRUE(says(full(make_result(), &options), "  no pose can have more than 5"));
-  options.priors.max_translation = 4;
+  options.max_translation = 4;
   EXPECT_TRUE(
       says(full(make_result(), &options), "no pose that the priors admit can have more than 5"));
   EXPECT_TRUE(says(full(make_result()), ", at scales from 0.5 to 4"));

@@ -17,7 +17,7 @@ struct Bench {
   problem::SolveContext context{options, diagnostics};
   problem::Objective objective{correspondences, Evidence::Distinct, kEnough};
   estimation::PoseConstraints constraints;
-  problem::PairFilter filter{correspondences, options.priors, false, constraints.scales};
+  problem::PairFilter filter{correspondences, options, false, constraints.scales};
 
   Bench(const testing::Problem& problem, const ScaleRange& scales)
       : correspondences{problem.source, problem.target,

@@ -73,7 +73,7 @@ TEST(ScaleSearch, BuildsOneGraphAfterItsTime) {
   synthetic.outlier_rate = 0.95;
   const SyntheticProblem problem = make_synthetic(synthetic);
   Options options = options_with_unknown_scale(problem);
-  options.budget.time = 1e-6;
+  options.time_limit = 1e-6;
   const Result result = register_correspondences(problem.source, problem.target, options);
   EXPECT_EQ(result.diagnostics.num_scale_ranges, 1);
   EXPECT_FALSE(result.diagnostics.limits_hit.empty());
@@ -102,7 +102,7 @@ TEST(ScaleSearch, FindsTheSameWithoutMemoryForLists) {
   options.noise_bound = problem.noise_bound;
   options.scale_mode = ScaleMode::Estimated;
   const Result roomy = register_correspondences(problem.source, problem.target, options);
-  options.budget.memory = 1 << 15;
+  options.memory_limit = 1 << 15;
   const Result tight = register_correspondences(problem.source, problem.target, options);
   EXPECT_GT(tight.diagnostics.num_scale_ranges, 8);  // so many that pairs are listed where they fit
   EXPECT_EQ(roomy.inliers, tight.inliers);

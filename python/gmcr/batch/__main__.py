@@ -92,7 +92,14 @@ def _parser() -> argparse.ArgumentParser:
     solver.add_argument("--noise-bound", metavar="B", help="metres, or auto")
     solver.add_argument("--estimate-scale", action="store_true")
     solver.add_argument("--scale", type=float)
-    solver.add_argument("--voxel", type=float, metavar="V", help="metres, of clouds")
+    solver.add_argument(
+        "--voxel-size",
+        "--voxel",
+        dest="voxel",
+        type=float,
+        metavar="M",
+        help="metres, of clouds",
+    )
     solver.add_argument("--method", choices=("gmcr", "paper"))
     solver.add_argument("--evidence", choices=("distinct", "count"))
     solver.add_argument("--certify", action="store_true")

@@ -8,22 +8,15 @@ from typing import Any
 
 import gmcr
 
+from .._arguments import option_names
+
 #: Not for a table: one thread works on a pair, so that the cores are shared by the pairs; the
 #: others are objects.
 _EXCLUDED = {"num_threads", "progress", "gravity", "initial_pose", "noise_bounds"}
 
 
-def _fields_of(kind: type) -> frozenset[str]:
-    return frozenset(
-        name
-        for name in dir(kind)
-        if not name.startswith("_") and not callable(getattr(kind(), name))
-    )
-
-
-_SOLVER_NAMES = _fields_of(gmcr.Options) - _EXCLUDED
-#: ``one_to_one`` is that of the solver.
-FRONTEND_NAMES = _fields_of(gmcr.FrontendOptions) - _SOLVER_NAMES
+_SOLVER_NAMES = frozenset(option_names(gmcr.Options)) - _EXCLUDED
+FRONTEND_NAMES = frozenset(option_names(gmcr.FrontendOptions))
 
 #: Fields of ``gmcr.Options`` and ``gmcr.FrontendOptions`` that pairs and runs can set.
 OPTION_NAMES = _SOLVER_NAMES | FRONTEND_NAMES

@@ -96,8 +96,7 @@ def outcome_of_result(result: Result | CloudResult, options: Options) -> Outcome
     -------
     Outcome
     """
-    fields = json.loads(result.to_json(options))
-    return outcome_of_json({"options": _values_of(options), **fields})
+    return outcome_of_json(json.loads(result.to_json(options)))
 
 
 def outcome_of_json(fields: dict[str, Any]) -> Outcome:
@@ -134,9 +133,3 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
         options=fields.get("options", {}),
         report=tuple(Line(**line) for line in fields["report"]),
     )
-
-
-def _values_of(options: Options) -> dict[str, Any]:
-    names = [name for name in dir(options) if not name.startswith("_") and name != "progress"]
-    values = {name: getattr(options, name) for name in names}
-    return {name: value for name, value in values.items() if not callable(value)}

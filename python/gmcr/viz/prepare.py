@@ -34,7 +34,7 @@ def scene_of_result(
         _check_sizes(result, clouds)
         matched = np.asarray(result.matches.source), np.asarray(result.matches.target)
     bounds = np.asarray(chosen.noise_bounds, dtype=float)
-    limit = _limit(outcome, bounds if bounds.size else None, chosen.threshold)
+    limit = _limit(outcome, bounds if bounds.size else None)
     return outcome, make_scene(outcome, clouds, matched, limit, limits)
 
 
@@ -61,7 +61,7 @@ def scene_of_files(
     matched = rows[:, :3].astype(float), rows[:, 3:6].astype(float)
     drawn = matched if clouds is None else (np.load(clouds[0]), np.load(clouds[1]))
     bounds = rows[:, 6] if rows.shape[1] > 6 else None
-    limit = _limit(outcome, bounds, outcome.options.get("threshold", 1.0))
+    limit = _limit(outcome, bounds)
     return outcome, make_scene(outcome, drawn, matched, limit)
 
 
@@ -72,9 +72,9 @@ def _check_sizes(result: CloudResult, clouds: tuple[Floats, Floats]) -> None:
             raise ValueError(f"{name}: {len(cloud)} points, but the result is about {size}")
 
 
-def _limit(outcome: Outcome, bounds: Floats | None, threshold: float) -> Floats | None:
+def _limit(outcome: Outcome, bounds: Floats | None) -> Floats | None:
     if bounds is not None:
-        return bounds / threshold
+        return bounds
     if outcome.noise_bound is None:
         return None
-    return np.full(outcome.num_correspondences, outcome.noise_bound / threshold)
+    return np.full(outcome.num_correspondences, outcome.noise_bound)

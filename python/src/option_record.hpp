@@ -1,0 +1,28 @@
+#pragma once
+
+#include "options/table.hpp"
+#include "progress.hpp"
+#include "record.hpp"
+
+namespace gmcr::python {
+
+/// A struct of options as a Python class, with a field for each option of its table.
+template <class T>
+nb::class_<T> bind_options_of(nb::module_& module, const char* name, const char* doc) {
+  Record<T> record(module, name, doc);
+  options::for_each_option<T>([&](const auto& option) {
+    record.field(option.about.name, option.place, options::describe(option.about) + ".");
+  });
+  for (const options::Gone& gone : options::Table<T>::gone) record.gone(gone.name, gone.advice);
+  return record.settable();
+}
+
+/// The same with `validate()`.
+template <class T>
+nb::class_<T> bind_checked_options(nb::module_& module, const char* name, const char* doc) {
+  return bind_options_of<T>(module, name, doc)
+      .def("validate", &T::validate,
+           "Raises ValueError naming the option and its value where one is out of range.");
+}
+
+}  // namespace gmcr::python
