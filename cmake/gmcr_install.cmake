@@ -1,9 +1,9 @@
-# `cmake --install` and find_package(gmcr) for users. Exports the core and the front end; what needs
+# `cmake --install` and find_package(gmcr) for users. Exports the core, the front end and the reports; what needs
 # Open3D stays inside the tool.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gmcr)
-install(TARGETS gmcr gmcr_frontend EXPORT gmcr-targets)
+install(TARGETS gmcr gmcr_frontend gmcr_report EXPORT gmcr-targets)
 install(EXPORT gmcr-targets NAMESPACE gmcr:: DESTINATION ${package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gmcr ${PROJECT_BINARY_DIR}/include/gmcr
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

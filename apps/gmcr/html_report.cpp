@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "options_json.hpp"
+#include "json_text.hpp"
 
 namespace gmcr::cli {
 namespace {
@@ -81,14 +81,12 @@ void require_html_reports() {
   }
 }
 
-void write_html_report(const fs::path& path, Json result, const Options& options,
-                       const ReportInput& input) {
+void write_html_report(const fs::path& path, const std::string& result, const ReportInput& input) {
   if (!std::ofstream(path)) throw IoError(path, 0, std::strerror(errno));
   const ScratchFolder folder;
   const fs::path result_path = folder / "result.json";
   const fs::path matches_path = folder / "matches.npy";
-  result["options"] = to_json(options);
-  write(result_path, result);
+  write_json(result_path, result);
   write_matches(matches_path, input.matches.source, input.matches.target,
                 input.matches.noise_bounds);
   std::vector<std::string> arguments = {"report", result_path.string(), "--matches",

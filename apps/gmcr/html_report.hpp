@@ -5,8 +5,6 @@
 #include <string>
 
 #include "gmcr/io.hpp"
-#include "gmcr/options.hpp"
-#include "json.hpp"
 
 namespace gmcr::cli {
 
@@ -23,10 +21,9 @@ struct ReportInput {
 void require_html_reports();
 
 /// Writes a self-contained HTML file.
-/// @param result   the JSON object of the result.
-/// @param options  that it was computed with.
+/// @param result  the JSON object of the result, with its options.
 /// @throws IoError where the file cannot be written.
-void write_html_report(const std::filesystem::path& path, Json result, const Options& options,
+void write_html_report(const std::filesystem::path& path, const std::string& result,
                        const ReportInput& input);
 
 }  // namespace gmcr::cli

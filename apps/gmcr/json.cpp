@@ -1,20 +1,8 @@
 #include "json.hpp"
 
-#include <fmt/core.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
-
-#include "gmcr/io.hpp"
+#include "json_text.hpp"
 
 namespace gmcr::cli {
-namespace {
-
-constexpr int kIndent = 2;
-
-}  // namespace
 
 Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   Json rows = Json::array();
@@ -26,16 +14,6 @@ Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   return rows;
 }
 
-void print(const Json& json) {
-  fmt::print("{}\n", json.dump(kIndent));
-  if (std::fflush(stdout) != 0) throw IoError("standard output", 0, std::strerror(errno));
-}
-
-void write(const std::filesystem::path& path, const Json& json) {
-  std::ofstream file(path, std::ios::binary);
-  file << json.dump(kIndent) << '\n';
-  file.close();
-  if (!file) throw IoError(path, 0, std::strerror(errno));
-}
+void print(const Json& json) { print_json(json.dump(kJsonIndent)); }
 
 }  // namespace gmcr::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace gmcr::cli {
@@ -14,9 +13,5 @@ Json rows_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
 /// Prints the object on stdout, with full precision.
 void print(const Json& json);
-
-/// Writes the object to a file.
-/// @throws IoError where that fails.
-void write(const std::filesystem::path& path, const Json& json);
 
 }  // namespace gmcr::cli

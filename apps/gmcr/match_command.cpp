@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
 #include "arguments.hpp"
-#include "cloud_report.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
+#include "json.hpp"
+#include "read_points.hpp"
+#include "report.hpp"
 #include "stopwatch.hpp"
 
 namespace gmcr::cli {

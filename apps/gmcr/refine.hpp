@@ -1,17 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "gmcr/frontend.hpp"
+#include "gmcr/report.hpp"
 
 namespace gmcr::cli {
-
-/// What a refinement did to a result.
-struct Refinement {
-  std::string method = "none";
-  bool is_applied = false;
-  std::string note = "none";  ///< for people
-};
 
 /// Refines the pose of `result` by point-to-plane ICP on its voxel clouds (Open3D), at its scale.
 ///

@@ -2,12 +2,14 @@
 
 #include "arguments.hpp"
 #include "choice.hpp"
-#include "cloud_report.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "html_report.hpp"
+#include "json_text.hpp"
 #include "progress.hpp"
+#include "read_points.hpp"
 #include "refine.hpp"
+#include "report.hpp"
 #include "stopwatch.hpp"
 
 namespace gmcr {
@@ -62,8 +64,8 @@ struct Arguments {
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
 std::vector<std::string> write_files(const Arguments& arguments, const CloudResult& result,
-                                     const Options& options, const Points& source,
-                                     const Points& target, const Json& json) {
+                                     const Points& source, const Points& target,
+                                     const std::string& json) {
   std::vector<std::string> written;
   const auto note = [&](const std::string& path) { written.push_back(path); };
   if (result.registration.status == Status::Ok) {
@@ -82,11 +84,11 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
     note(arguments.matches);
   }
   if (!arguments.json_file.empty()) {
-    write(arguments.json_file, json);
+    write_json(arguments.json_file, json);
     note(arguments.json_file);
   }
   if (!arguments.report.empty()) {
-    write_html_report(arguments.report, json, options,
+    write_html_report(arguments.report, json,
                       {arguments.clouds.source + " \u2192 " + arguments.clouds.target,
                        {result.matches.source, result.matches.target, {}},
                        source,
@@ -103,24 +105,23 @@ ExitCode run(const Arguments& arguments) {
   const Points source = read_points(arguments.clouds.source);
   const Points target = read_points(arguments.clouds.target);
   CloudResult result;
-  Refinement refinement;
-  double seconds = 0;
+  ReportContext context;
+  context.options = &options;
   {
     ProgressLine progress;
     options.progress = progress.callback();
     const Stopwatch stopwatch;
     result = register_clouds(source, target, arguments.clouds.frontend, options);
-    if (arguments.refine == Refine::Icp) refinement = refine_with_icp(result, options);
-    seconds = stopwatch.seconds();
+    if (arguments.refine == Refine::Icp) context.refinement = refine_with_icp(result, options);
+    context.total_seconds = stopwatch.seconds();
   }
-  const Json json = to_json(result, options, refinement, seconds);
-  const std::vector<std::string> written =
-      write_files(arguments, result, options, source, target, json);
+  const std::string json = to_json(result, context, kJsonIndent);
+  const std::vector<std::string> written = write_files(arguments, result, source, target, json);
   if (arguments.json) {
-    print(json);
+    print_json(json);
   } else {
     Report report;
-    add_cloud_result(report, result, options, refinement, seconds);
+    report.add(report_lines(result, Detail::Full, context));
     for (const std::string& path : written) report.line("written", path);
     report.print();
   }

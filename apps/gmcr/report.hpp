@@ -1,37 +1,26 @@
 #pragma once
 
-#include <fmt/color.h>
-
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "gmcr/types.hpp"
+#include "gmcr/report.hpp"
 
 namespace gmcr::cli {
 
 /// Lines "label  text" of a report for people; colours only on a terminal.
 class Report {
  public:
-  Report();
+  using Tone = gmcr::Tone;
 
-  void line(std::string_view label, std::string_view text);
-
-  /// A line in a colour that says how good it is.
-  enum class Tone { Good, Fair, Bad };
-  void line(std::string_view label, std::string_view text, Tone tone);
+  void line(std::string_view label, std::string_view text, Tone tone = Tone::Plain);
+  void add(const std::vector<ReportLine>& lines);
 
   /// Prints it on stdout.
   void print() const;
 
  private:
-  bool is_terminal_;
-  std::string text_;
+  std::vector<ReportLine> lines_;
 };
-
-/// "44 of 5344 (0.8 %)".
-std::string share(Index part, Index whole);
-
-/// "1.23 ms", "45.6 s".
-std::string duration(double seconds);
 
 }  // namespace gmcr::cli

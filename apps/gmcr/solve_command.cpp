@@ -5,9 +5,9 @@
 #include "gmcr/io.hpp"
 #include "gmcr/registration.hpp"
 #include "html_report.hpp"
+#include "json_text.hpp"
 #include "progress.hpp"
-#include "result_json.hpp"
-#include "result_report.hpp"
+#include "report.hpp"
 #include "stopwatch.hpp"
 
 namespace gmcr::cli {
@@ -60,6 +60,12 @@ std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
   return {register_correspondences(matches.source, matches.target, options)};
 }
 
+std::string json_of(const Arguments& arguments, const std::vector<Result>& results,
+                    const ReportContext& context) {
+  return arguments.wants_instances ? to_json(results, context, kJsonIndent)
+                                   : to_json(results.front(), context, kJsonIndent);
+}
+
 ExitCode run(const Arguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
@@ -77,17 +83,19 @@ ExitCode run(const Arguments& arguments) {
     write_transform(arguments.transform_path, best.target_from_source);
   }
   if (!arguments.inliers_path.empty()) write_indices(arguments.inliers_path, best.inliers);
-  const Json json = arguments.wants_instances ? to_json(results, options, seconds)
-                                              : to_json(best, options, seconds);
+  ReportContext context;
+  context.options = &options;
+  context.total_seconds = seconds;
   if (!arguments.report_path.empty()) {
-    write_html_report(arguments.report_path, json, options, {arguments.matches, matches, {}, {}});
+    write_html_report(arguments.report_path, json_of(arguments, results, context),
+                      {arguments.matches, matches, {}, {}});
   }
   if (arguments.json) {
-    print(json);
+    print_json(json_of(arguments, results, context));
   } else {
     Report report;
-    add_result(report, best, options, seconds);
-    if (arguments.wants_instances) add_instances(report, results);
+    report.add(arguments.wants_instances ? report_lines(results, Detail::Full, context)
+                                         : report_lines(best, Detail::Full, context));
     if (is_ok && !arguments.transform_path.empty()) {
       report.line("written", arguments.transform_path);
     }

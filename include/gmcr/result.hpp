@@ -84,9 +84,9 @@ struct StageTime {
 
 /// What ended a part of the work before it was complete.
 enum class Limit {
-  Time,             ///< `Budget::time`
+  Time,             ///< `Options::time_limit`
   Stopped,          ///< the caller, through `Options::stop` or `Options::progress`
-  Memory,           ///< `Budget::memory`
+  Memory,           ///< `Options::memory_limit`
   CliqueSearch,     ///< a search for a maximum clique ended before its proof
   EvidenceSearch,   ///< a search for the clique of most evidence ended before its proof
   ScaleSearch,      ///< the branch and bound over the scale ended before its proof

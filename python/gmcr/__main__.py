@@ -9,7 +9,6 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -82,7 +81,7 @@ def _solve(arguments: argparse.Namespace) -> int:
     else:
         options.noise_bound = float(arguments.noise_bound)
     result = gmcr.register_correspondences(matches[:, :3], matches[:, 3:], options)
-    print(json.dumps(_fields(result), indent=2))
+    print(result.to_json(options, indent=2))
     return 0 if result.status == "ok" else 1
 
 
@@ -96,32 +95,6 @@ def _read_matches(path: Path) -> npt.NDArray[np.float64]:
     if matches.ndim != 2 or matches.shape[1] != 6:
         raise ValueError(f"{path}: expected 6 columns, but the shape is {matches.shape}")
     return np.asarray(matches, dtype=np.float64)
-
-
-def _fields(result: gmcr.Result) -> dict[str, Any]:
-    certificate = result.certificate
-    seconds = {"total": result.diagnostics.total_seconds, **result.diagnostics.stages}
-    return {
-        "status": str(result.status),
-        "status_reason": result.status_reason,
-        "scale": result.scale,
-        "rotation": result.rotation.tolist(),
-        "translation": result.translation.tolist(),
-        "target_from_source": result.matrix().tolist(),
-        "num_correspondences": result.diagnostics.num_correspondences,
-        "num_inliers": len(result.inliers),
-        "inliers": result.inliers.tolist(),
-        "evidence": result.evidence,
-        "certificate": {
-            "lower": certificate.lower,
-            "upper": certificate.upper,
-            "certified": certificate.certified,
-        },
-        "time_ms": {name: 1000 * value for name, value in seconds.items()},
-        "threads": result.diagnostics.num_threads,
-        "isa": gmcr.instruction_set(),
-        "version": gmcr.__version__,
-    }
 
 
 if __name__ == "__main__":

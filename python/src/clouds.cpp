@@ -6,6 +6,7 @@
 #include "interruptible.hpp"
 #include "pose_properties.hpp"
 #include "record.hpp"
+#include "report_methods.hpp"
 
 namespace gmcr::python {
 namespace {
@@ -85,6 +86,7 @@ void bind_cloud_result(nb::module_& module) {
       },
       nb::sig("def matrix(self) -> numpy.typing.NDArray[numpy.float64]"),
       "Homogeneous matrix [s R, t; 0 0 0 1] of the transform, (4, 4).");
+  add_report(result);
 }
 
 }  // namespace

@@ -1,13 +1,70 @@
 #include "gmcr/result.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
 
 #include "bindings.hpp"
 #include "gmcr/registration.hpp"
 #include "pose_properties.hpp"
 #include "record.hpp"
+#include "report_methods.hpp"
 
 namespace gmcr::python {
+
+/// Their sentences.
+template <>
+struct Convert<std::vector<LimitHit>> {
+  static std::string type() { return "list[str]"; }
+  static std::string accepted() { return type(); }
+  static nb::object to_python(const std::vector<LimitHit>& hits, nb::handle) {
+    nb::list sentences;
+    for (const LimitHit& hit : hits) sentences.append(hit.sentence);
+    return sentences;
+  }
+  static std::vector<LimitHit> from_python(nb::handle value, const char* name) {
+    std::vector<LimitHit> hits;
+    for (std::string& sentence : Convert<std::vector<std::string>>::from_python(value, name)) {
+      hits.push_back({{}, std::move(sentence)});
+    }
+    return hits;
+  }
+};
+
+/// The codes of limits whose sentences are there.
+struct LimitCodes {
+  std::vector<LimitHit>& hits;
+
+  void operator=(const std::vector<Limit>& codes) {
+    const std::size_t count = std::min(codes.size(), hits.size());
+    for (std::size_t i = 0; i < count; ++i) hits[i].limit = codes[i];
+  }
+};
+
+template <>
+struct Convert<LimitCodes> {
+  static std::string type() { return "list[str]"; }
+  static std::string accepted() { return type(); }
+  static nb::object to_python(const LimitCodes& codes, nb::handle) {
+    nb::list words;
+    for (const LimitHit& hit : codes.hits) words.append(to_string(hit.limit));
+    return words;
+  }
+  static std::vector<Limit> from_python(nb::handle value, const char* name) {
+    std::vector<Limit> codes;
+    for (const std::string& word : Convert<std::vector<std::string>>::from_python(value, name)) {
+      const auto known = std::find_if(std::begin(kLimits), std::end(kLimits),
+                                      [&](Limit limit) { return word == to_string(limit); });
+      if (known == std::end(kLimits)) {
+        throw std::invalid_argument(std::string(name) + ": '" + word + "' is no limit");
+      }
+      codes.push_back(*known);
+    }
+    return codes;
+  }
+};
+
 namespace {
 
 constexpr const char* kResultDoc =
@@ -65,6 +122,10 @@ void bind_diagnostics(nb::module_& module) {
       .field("num_threads", &Diagnostics::num_threads, "Threads that were used.")
       .field("limits_hit", &Diagnostics::limits_hit,
              "One sentence for each limit that made the work less than complete.")
+      .field(
+          "limit_codes", [](Diagnostics& self) { return LimitCodes{self.limits_hit}; },
+          "The word for each of them: 'time', 'stopped', 'memory', 'clique_search',\n"
+          "'evidence_search', 'scale_search' or 'consensus_search'.")
       .read_only();
 }
 
@@ -122,6 +183,7 @@ void bind_results(nb::module_& module) {
           .field("diagnostics", &Result::diagnostics, "Times, counts, limits.")
           .read_only(&describe);
   add_pose(result);
+  add_report(result);
   result.def_prop_ro(
       "runner_up_ratio", &Result::runner_up_ratio,
       "Evidence of the best alternative over that of the result; near 1: ambiguous.");

@@ -114,7 +114,7 @@ def test_diagnostics_tell_what_was_done(result):
     assert diagnostics.num_scale_ranges > 0
     assert diagnostics.num_threads == gmcr.hardware_threads()
     assert diagnostics.num_clique_nodes >= 0
-    assert diagnostics.limits_hit == []
+    assert diagnostics.limits_hit == diagnostics.limit_codes == []
     assert 0 < sum(diagnostics.stages.values()) <= 1.05 * diagnostics.total_seconds + 1e-3
 
 
@@ -142,6 +142,16 @@ def test_results_survive_pickling_and_copying(result):
         assert state(other) == state(result)
         assert repr(other) == repr(result)
         assert np.array_equal(other.matrix(), result.matrix())
+
+
+def test_limits_survive_pickling_with_their_codes(problem):
+    result = gmcr.register_correspondences(
+        problem.source, problem.target, noise_bound=0.01, progress=lambda *_: False
+    )
+    diagnostics = pickle.loads(pickle.dumps(result)).diagnostics
+    assert diagnostics.limit_codes == result.diagnostics.limit_codes == ["stopped"]
+    assert diagnostics.limits_hit == result.diagnostics.limits_hit
+    assert "caller" in diagnostics.limits_hit[0]
 
 
 def test_alternatives_survive_pickling():

@@ -147,4 +147,6 @@ def test_the_defaults_are_those_of_the_tool(tool):
         for name, value in kind().__getstate__().items():
             if defaults.get(name) is not None:  # those that are infinite or not given are null
                 assert np.array_equal(value, defaults[name]), name
-    assert {"scale", "time_limit", "memory_limit", "max_ratio", "min_instance_share"} <= set(defaults)
+    assert {"scale", "time_limit", "memory_limit", "max_ratio", "min_instance_share"} <= set(
+        defaults
+    )

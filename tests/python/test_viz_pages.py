@@ -19,7 +19,7 @@ pytest.importorskip("viser", reason="the extra viz is not installed")
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 image = pytest.importorskip("PIL.Image", reason="pillow is not installed")
 
-from gmcr.viz import DrawLimits, plot, report, show, words  # noqa: E402
+from gmcr.viz import DrawLimits, plot, report, show  # noqa: E402
 from gmcr.viz.colours import SOURCE, TARGET, rgb  # noqa: E402
 from gmcr.viz.prepare import scene_of_result  # noqa: E402
 
@@ -124,7 +124,7 @@ def test_report_opens_without_a_network_and_says_what_the_result_says(
     body = page.inner_text("body")
     assert "showing 1,500 of 3,000 points" in body
     assert registration.certificate.certified or (
-        f"no pose has more than {registration.certificate.upper:,}" in body
+        f"no pose can have more than {registration.certificate.upper}:" in body
     )
     assert f"gmcr {gmcr.__version__}" in body
     for stage in registration.diagnostics.stages:
@@ -207,8 +207,7 @@ def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
     page.goto(f"http://127.0.0.1:{server.get_port()}")
     page.get_by_text("before / after").wait_for(timeout=60_000)
     body = page.inner_text("body")
-    inliers = words.share(len(result.registration.inliers), len(result.matches.source))
-    assert f"inliers {inliers}" in body
+    assert f"inliers {len(result.registration.inliers)} of {len(result.matches.source)}" in body
     assert "showing 1,500 of 3,000 points" in body
     for name in ("source", "target", "inliers", "outliers", "consensus graph", "point size"):
         assert page.get_by_text(name, exact=True).count() >= 1, name

@@ -98,9 +98,7 @@ def test_residuals_within_the_bounds_are_exactly_those_of_the_inliers(
     problem: gmcr.SyntheticProblem,
 ) -> None:
     bounds = np.random.default_rng(3).uniform(0.01, 0.03, len(problem.source))
-    result = gmcr.register_correspondences(
-        problem.source, problem.target, noise_bounds=bounds
-    )
+    result = gmcr.register_correspondences(problem.source, problem.target, noise_bounds=bounds)
     _, scene = scene_of(result, problem, noise_bounds=bounds)
     assert scene.bounds == pytest.approx(bounds)
     assert np.flatnonzero(scene.residuals <= scene.bounds).tolist() == result.inliers.tolist()
@@ -126,8 +124,8 @@ def test_noise_bound_that_was_estimated_is_taken_from_the_result(
     result = gmcr.register_correspondences(problem.source, problem.target, noise_mode="estimated")
     outcome, scene = scene_of(result, problem, noise_mode="estimated")
     assert scene.bounds == pytest.approx(result.noise_estimate.noise_bound)
-    assert ("noise bound", f"{outcome.noise_bound:.4g} m, chosen from the matches") in (
-        words.result_rows(outcome)
+    assert dict(words.result_rows(outcome))["noise bound"].startswith(
+        f"{outcome.noise_bound:.4g} m chosen from the matches: "
     )
 
 
@@ -166,14 +164,29 @@ def test_clouds_are_counted_as_given_and_matches_as_found(
     assert dict(words.result_rows(outcome))["verdict"].startswith(str(result.verdict))
 
 
-def test_certificate_is_put_in_words(result: gmcr.Result, problem: gmcr.SyntheticProblem) -> None:
+def test_the_words_are_those_of_the_library(
+    result: gmcr.Result, problem: gmcr.SyntheticProblem
+) -> None:
     outcome, _ = scene_of(result, problem)
-    upper = result.certificate.upper
-    assert words.certificate(outcome) == (
-        "40 inliers; no pose has more: proven optimal"
-        if upper == 40
-        else f"40 inliers; no pose has more than {upper}"
-    )
+    report = result.report(gmcr.Options(noise_bound=NOISE_BOUND)).splitlines()
+    rows = words.result_rows(outcome) + words.pose_rows(outcome)
+    assert {"status", "inliers", "certificate", "rotation", "uncertainty"} < dict(rows).keys()
+    for label, text in rows:
+        assert f"{label:<13} {text}" in report
+
+
+def test_the_matrix_and_the_stages_are_left_to_the_pictures(
+    result: gmcr.Result, problem: gmcr.SyntheticProblem
+) -> None:
+    outcome, _ = scene_of(result, problem)
+    assert [label for label, _ in words.pose_rows(outcome)] == [
+        "scale",
+        "rotation",
+        "translation",
+        "uncertainty",
+    ]
+    texts = [text for _, text in words.result_rows(outcome)]
+    assert not [text for text in texts if text.startswith(tuple(outcome.stages))]
 
 
 def test_data_without_an_answer_has_no_pose_and_no_graph() -> None:
@@ -181,7 +194,8 @@ def test_data_without_an_answer_has_no_pose_and_no_graph() -> None:
     result = gmcr.register_correspondences(points, points, noise_bound=0.1)
     outcome, scene = scene_of_result(result, points, points, None, {"noise_bound": 0.1}, None)
     assert not outcome.has_pose and scene.graph is None
-    assert words.status(outcome).startswith("too few correspondences: ")
+    assert words.headline(outcome) == ("status", "too few correspondences", "bad")
+    assert dict(words.result_rows(outcome))["status"].startswith("too_few_correspondences: ")
     assert words.pose_rows(outcome) == [("pose", "none")]
     assert words.agreement(scene) == "not drawn: there is no pose"
 

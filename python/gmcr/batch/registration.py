@@ -11,7 +11,7 @@ import gmcr
 from .matches import read_matches
 from .options import frontend_options, solver_options
 from .pairs import Pair
-from .row import Row
+from .row import Row, row_of
 
 
 def register_pair(pair: Pair, options: Mapping[str, Any]) -> Row:
@@ -47,7 +47,7 @@ def _of_matches(pair: Pair, values: dict[str, Any]) -> Row:
     if noise_bounds is not None:
         solver.noise_bound, solver.noise_mode, solver.noise_bounds = 0, "given", noise_bounds
     result = gmcr.register_correspondences(source, target, solver)
-    return _row_of(pair, result, read_seconds, solver.noise_bound or None)
+    return row_of(pair.id, result, solver, read_seconds)
 
 
 def _of_clouds(pair: Pair, values: dict[str, Any]) -> Row:
@@ -57,30 +57,6 @@ def _of_clouds(pair: Pair, values: dict[str, Any]) -> Row:
     started = time.perf_counter()
     source, target = read_points(pair.source), read_points(pair.target)
     read_seconds = time.perf_counter() - started
-    result = gmcr.register_clouds(source, target, frontend_options(values), solver_options(values))
-    row = _row_of(pair, result.registration, read_seconds, result.matches.noise_bound)
-    row.verdict, row.verdict_reason = str(result.verdict), result.verdict_reason
-    row.fitness = result.fitness
-    return row
-
-
-def _row_of(pair: Pair, result: gmcr.Result, read_seconds: float, noise_bound: float | None) -> Row:
-    has_pose = result.status in ("ok", "degenerate")
-    if result.noise_estimate is not None:
-        noise_bound = result.noise_estimate.noise_bound
-    return Row(
-        id=pair.id,
-        status=str(result.status),
-        reason=result.status_reason,
-        target_from_source=result.matrix().ravel().tolist() if has_pose else None,
-        scale=result.scale if has_pose else None,
-        num_correspondences=result.diagnostics.num_correspondences,
-        num_inliers=len(result.inliers),
-        max_inliers=result.certificate.upper,
-        certified=result.certificate.certified,
-        evidence=result.evidence,
-        noise_bound=noise_bound,
-        limits_hit=list(result.diagnostics.limits_hit),
-        inliers=result.inliers.tolist(),
-        read_seconds=read_seconds,
-    )
+    solver = solver_options(values)
+    result = gmcr.register_clouds(source, target, frontend_options(values), solver)
+    return row_of(pair.id, result, solver, read_seconds)

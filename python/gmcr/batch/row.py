@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import json
+from itertools import chain
+from typing import Any
+
+import gmcr
 
 
 @dataclasses.dataclass
@@ -45,6 +50,33 @@ class Row:
     read_seconds: float | None = None
     #: How often the pair was started.
     attempts: int = 1
+
+
+def row_of(
+    id: str, result: gmcr.Result | gmcr.CloudResult, options: gmcr.Options, read_seconds: float
+) -> Row:
+    """Row of a result and of the options that it was computed with, read from its JSON."""
+    fields: dict[str, Any] = json.loads(result.to_json(options))
+    has_pose = fields["status"] in ("ok", "degenerate")
+    return Row(
+        id=id,
+        status=fields["status"],
+        reason=fields["status_reason"],
+        target_from_source=[*chain(*fields["target_from_source"])] if has_pose else None,
+        scale=fields["scale"] if has_pose else None,
+        num_correspondences=fields["num_correspondences"],
+        num_inliers=fields["num_inliers"],
+        max_inliers=fields["certificate"]["upper"],
+        certified=fields["certificate"]["certified"],
+        evidence=fields["evidence"],
+        noise_bound=fields.get("noise_bound"),
+        verdict=fields.get("verdict"),
+        verdict_reason=fields.get("verdict_reason"),
+        fitness=fields.get("fitness"),
+        limits_hit=fields["limits_hit"],
+        inliers=fields["inliers"],
+        read_seconds=read_seconds,
+    )
 
 
 def error_row(id: str, reason: str, attempts: int = 1) -> Row:

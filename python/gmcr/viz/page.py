@@ -85,13 +85,8 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
 
 
 def _badge(outcome: Outcome) -> str:
-    if outcome.surfaces is not None and outcome.status == "ok":
-        text = outcome.surfaces.verdict
-        tone = {"trusted": "good", "doubtful": "fair"}.get(text, "bad")
-    else:
-        text = "pose found" if outcome.status == "ok" else outcome.status.replace("_", " ")
-        tone = "good" if outcome.status == "ok" else "bad"
-    return f'<span class="badge {tone}" id="verdict">{escape(text)}</span>'
+    line = words.headline(outcome)
+    return f'<span class="badge {line.tone}" id="verdict">{escape(line.text)}</span>'
 
 
 def _tiles(outcome: Outcome) -> str:

@@ -1,4 +1,4 @@
-"""What a result says, in words."""
+"""What is written beside the pictures: the report of the library, and what is drawn of how much."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from .motion import angle_axis
-from .outcome import Bounds, Outcome
+from .outcome import Line, Outcome
 from .scene import Scene
 
 Rows = list[tuple[str, str]]
 
-# A runner-up with a larger share of the evidence makes the answer ambiguous.
-_AMBIGUOUS = 0.8
+# Labels of the report that are about the transform.
+_POSE = ("scale", "rotation", "translation", "uncertainty")
+# Labels of which only the first line is taken: the others are drawn, or written as a matrix.
+_SHOWN_ELSEWHERE = ("rotation", "time", "instances")
 
 
 def count(number: int, noun: str) -> str:
@@ -37,83 +38,24 @@ def vector(values: Any) -> str:
     return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
 
 
-def status(outcome: Outcome) -> str:
-    """One line on what the registration came to."""
-    if outcome.status == "ok":
-        return "pose found"
-    return f"{outcome.status.replace('_', ' ')}: {outcome.status_reason}"
-
-
-def certificate(outcome: Outcome) -> str:
-    """How far the consensus can be from the best possible."""
-    bounds = outcome.certificate
-    inliers = count(int(bounds.lower), "inlier")
-    if bounds.certified:
-        return f"{inliers}; no pose has more: proven optimal{_where(outcome)}"
-    return f"{inliers}; no pose has more than {int(bounds.upper):,}{_where(outcome)}"
-
-
-def evidence(bounds: Bounds) -> str:
-    """How far the evidence can be from the best possible."""
-    most = "no pose has more" if bounds.certified else f"no pose has more than {bounds.upper:,.1f}"
-    return f"{bounds.lower:,.1f}; {most}"
-
-
-def uncertainty(outcome: Outcome) -> str | None:
-    """Standard deviations of the transform, or None where there is no covariance."""
-    matrix = outcome.covariance
-    if matrix is None:
-        return None
-    rotation, translation = _deviation(matrix[:3, :3]), _deviation(matrix[3:6, 3:6])
-    text = f"rotation {np.degrees(rotation):.2g}°, translation {translation:.2g} m"
-    if len(matrix) > 6:
-        text += f", scale {100 * _deviation(matrix[6:, 6:]):.2g} %"
-    return text + " (one standard deviation, worst axis)"
+def headline(outcome: Outcome) -> Line:
+    """The verdict on a pose of two clouds, or else what the registration came to."""
+    label = "verdict" if outcome.verdict is not None and outcome.status == "ok" else "status"
+    tone = next((line.tone for line in outcome.report if line.label == label), "bad")
+    if label == "verdict":
+        return Line(label, str(outcome.verdict), tone)
+    found = outcome.status == "ok"
+    return Line(label, "pose found" if found else outcome.status.replace("_", " "), tone)
 
 
 def pose_rows(outcome: Outcome) -> Rows:
     """The transform: label and text of each line."""
-    if not outcome.has_pose:
-        return [("pose", "none")]
-    angle, axis = angle_axis(outcome.rotation)
-    length = float(np.linalg.norm(outcome.translation))
-    rows = [
-        ("scale", f"{outcome.scale:.6g}"),
-        ("rotation", f"{np.degrees(angle):.3f}° about {vector(np.round(axis, 4))}"),
-        ("translation", f"{vector(outcome.translation)}, length {length:.6g} m"),
-    ]
-    deviations = uncertainty(outcome)
-    return rows + ([("uncertainty", deviations)] if deviations else [])
+    return _rows(outcome, about_pose=True) or [("pose", "none")]
 
 
 def result_rows(outcome: Outcome) -> Rows:
     """What was found: label and text of each line."""
-    total = outcome.num_correspondences
-    rows = [("status", status(outcome))]
-    surfaces = outcome.surfaces
-    if surfaces is not None:
-        rows.append(("verdict", f"{surfaces.verdict}: {surfaces.verdict_reason}"))
-    rows.append(("inliers", share(len(outcome.inliers), total)))
-    if outcome.num_used != total:
-        rows.append(("used", share(outcome.num_used, total) + ", those that the priors admit"))
-    rows += [("certificate", certificate(outcome)), ("evidence", evidence(outcome.evidence))]
-    if outcome.num_instances > 1:
-        rows.append(("instances", f"{outcome.num_instances} were found; this is the first"))
-    if outcome.num_alternatives:
-        rows.append(("alternatives", _alternatives(outcome)))
-    if outcome.noise_bound is not None:
-        chosen = ", chosen from the matches" if outcome.is_noise_estimated else ""
-        rows.append(("noise bound", f"{outcome.noise_bound:.4g} m{chosen}"))
-    if surfaces is not None:
-        rows += [
-            ("fitness", f"{100 * surfaces.fitness:.1f} % of the source meets the target"),
-            ("", f"{100 * surfaces.target_fitness:.1f} % of the target meets the source"),
-            ("overlap RMSE", f"{surfaces.overlap_rmse:.4g} m"),
-        ]
-    threads = count(outcome.num_threads, "thread")
-    rows.append(("time", f"{duration(outcome.total_seconds)} with {threads}"))
-    rows.append(("limits hit", "; ".join(outcome.limits_hit) or "none"))
-    return rows
+    return _rows(outcome, about_pose=False)
 
 
 def option_rows(outcome: Outcome) -> Rows:
@@ -159,19 +101,14 @@ def agreement(scene: Scene) -> str:
     return text
 
 
-def _where(outcome: Outcome) -> str:
-    least, most = outcome.scale_range
-    return f", at scales from {least:.4g} to {most:.4g}" if least < most else ""
-
-
-def _deviation(block: Any) -> float:
-    return float(np.sqrt(max(0.0, np.linalg.eigvalsh(block)[-1])))
-
-
-def _alternatives(outcome: Outcome) -> str:
-    ratio = outcome.runner_up_ratio
-    warning = "ambiguous: " if ratio > _AMBIGUOUS else ""
-    return f"{outcome.num_alternatives}; {warning}the best has {100 * ratio:.0f} % of the evidence"
+def _rows(outcome: Outcome, about_pose: bool) -> Rows:
+    rows: Rows = []
+    about = ""
+    for line in outcome.report:
+        about = line.label or about
+        if (about in _POSE) == about_pose and (line.label or about not in _SHOWN_ELSEWHERE):
+            rows.append((line.label, line.text))
+    return rows
 
 
 def _value(value: Any) -> str:

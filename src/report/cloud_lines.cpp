@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include "report/lines.hpp"
+
+namespace gmcr {
+namespace report {
+namespace {
+
+Tone tone_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Trusted:
+      return Tone::Good;
+    case Verdict::Doubtful:
+      return Tone::Fair;
+    default:
+      return Tone::Bad;
+  }
+}
+
+std::string cloud_text(Index num_points, const Points& voxels, double voxel_size) {
+  return fmt::format("{} points, {} voxels of {:.4g}", num_points, voxels.cols(), voxel_size);
+}
+
+void add_clouds(Lines& lines, const CloudResult& result, Detail detail, const Options* options) {
+  const CloudMatches& matches = result.matches;
+  if (detail == Detail::Full) {
+    lines.add("source", cloud_text(result.num_source_points, matches.source_voxels,
+                                   matches.source_voxel_size));
+    lines.add("target", cloud_text(result.num_target_points, matches.target_voxels,
+                                   matches.target_voxel_size));
+  }
+  const bool is_noise_given = options ? options->noise_mode == NoiseMode::Given
+                                      : !result.registration.noise_estimate.has_value();
+  lines.add("matches", is_noise_given ? fmt::format("{}, noise bound {:.4g}", matches.source.cols(),
+                                                    matches.noise_bound)
+                                      : fmt::format("{}", matches.source.cols()));
+}
+
+}  // namespace
+}  // namespace report
+
+std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
+                                     const ReportContext& context) {
+  report::Lines lines;
+  report::add_clouds(lines, result, detail, context.options);
+  report::add_result(lines, result.registration, detail, context);
+  if (detail == Detail::Full) lines.add("refinement", context.refinement.note);
+  lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
+                                   100 * result.fitness));
+  if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));
+  lines.add("verdict", fmt::format("{}: {}", to_string(result.verdict), result.verdict_reason),
+            report::tone_of(result.verdict));
+  return std::move(lines).take();
+}
+
+}  // namespace gmcr
