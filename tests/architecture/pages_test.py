@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 CODE = ("include", "src", "apps", "bench", "python", "examples", "tests", "cmake", "tools")
 CODE_SUFFIXES = {".hpp", ".cpp", ".c", ".h", ".py", ".pyi", ".txt", ".cmake", ".in", ".json", ""}
+BUILD_FILES = {"CMakeLists.txt", "CMakePresets.json", "Makefile", "pyproject.toml"}
 GENERATED = {"build", "out", "__pycache__"}
 METHOD, DECISIONS = "docs/method.md", "docs/decisions"
 PAGES_OF_NAMES = (METHOD, "docs/architecture.md", "CONTRIBUTING.md")
@@ -103,8 +104,9 @@ def tests_of(root: Path) -> set[str]:
 
 @cache
 def words(root: Path) -> set[str]:
-    """All identifiers of the code."""
-    return {word for text in code(root).values() for word in re.findall(r"\w+", text)}
+    """All identifiers of the code and of what builds it."""
+    texts = [path.read_text() for path in root.glob("*") if path.name in BUILD_FILES]
+    return {word for text in (*code(root).values(), *texts) for word in re.findall(r"\w+", text)}
 
 
 def is_path(span: str) -> bool:
