@@ -15,8 +15,8 @@ CODE = ("include", "src", "apps", "bench", "python", "examples", "tests", "cmake
 CODE_SUFFIXES = {".hpp", ".cpp", ".c", ".h", ".py", ".pyi", ".txt", ".cmake", ".in", ".json", ""}
 BUILD_FILES = {"CMakeLists.txt", "CMakePresets.json", "Makefile", "pyproject.toml"}
 GENERATED = {"build", "out", "__pycache__"}
-METHOD, DECISIONS = "docs/method.md", "docs/decisions"
-PAGES_OF_NAMES = (METHOD, "docs/architecture.md", "CONTRIBUTING.md")
+METHOD, ARCHITECTURE, DECISIONS = "docs/method.md", "docs/architecture.md", "docs/decisions"
+PAGES_OF_NAMES = (METHOD, ARCHITECTURE, "CONTRIBUTING.md")
 PARTS_OF = {"bench/reports/page.md": "docs", "bench/paper/discussion.md": "docs"}
 
 
@@ -191,15 +191,41 @@ def faults_of_decisions(root: Path) -> Iterator[str]:
             yield f"the index calls {name} '{entries[file]}'"
 
 
-CHECKS = (faults_of_citations, faults_of_names, faults_of_links, faults_of_decisions)
+def faults_of_layers(root: Path) -> Iterator[str]:
+    """Folders that the page of the architecture allows other folders than the test of includes."""
+    rules = code(root).get("tests/architecture/check_places.cmake", "")
+    rows = re.findall(r"^only_from\((\w+) ([^)]*)\)", rules, re.MULTILINE)
+    allowed = {folder: {*names.split()} - {"-"} for folder, names in rows}
+    page = pages(root).get(ARCHITECTURE, "")
+    rows = re.findall(r"^\| \[(\w+)\]\(\.\./src/\w+\) \|[^|]*\| ([\w, ]*) ?\|$", page, re.MULTILINE)
+    drawn = {folder: {*re.findall(r"\w+", names)} - {"nothing"} for folder, names in rows}
+    for folder in sorted(allowed.keys() | drawn.keys()):
+        if allowed.get(folder) != drawn.get(folder):
+            yield f"{ARCHITECTURE} and the test of includes differ on what {folder} uses"
+    for folder in sorted(path.name for path in (root / "src").glob("*/")):
+        if folder not in drawn:
+            yield f"{ARCHITECTURE} has no row for src/{folder}"
+
+
+CHECKS = (
+    faults_of_citations,
+    faults_of_names,
+    faults_of_links,
+    faults_of_decisions,
+    faults_of_layers,
+)
 
 CLEAN = {
     "CONTRIBUTING.md": "Run `make test`, see `src/a.cpp` and [A](docs/architecture.md#a-part).\n",
     "Makefile": "test: build\n",
     METHOD: "### L1. One\n`src/a.cpp`: `f`. `A.Works`\n| (1) | eq:one | a |\n| (2) | none | b |\n",
-    "docs/architecture.md": "# A part\n```sh\n[no](link.md) `nothing`\n```\n`src/`, `name::f()`\n",
+    ARCHITECTURE: "# A part\n```sh\n[no](link.md) `nothing`\n```\n`src/`, `name::f()`\n\n"
+    "| [b](../src/b) | all | c, d |\n| [c](../src/c) | some | nothing |\n",
     f"{DECISIONS}/README.md": "| [1](0001-a.md) | First |\n",
     f"{DECISIONS}/0001-a.md": "# 1. First\n",
+    "src/b/b.cpp": "",
+    "src/c/c.cpp": "",
+    "tests/architecture/check_places.cmake": "only_from(b d c)\nonly_from(c -)\n",
     "src/a.cpp": "// L1, Eq. (1), eq:one, and Eq.\n// (1) and (2): a = b, from the L2 cache\nint f();\n",
     "tests/a_test.cpp": "TEST(A, Works) {}\n",
 }
@@ -243,6 +269,12 @@ class Pages(unittest.TestCase):
             ("README.md", "as eq:one\n", "cites an equation by its label"),
             ("src/b.cpp", "// see PLAN.md\n", "mentions PLAN.md"),
             ("src/b.cpp", "// see DESIGN\n", "mentions DESIGN"),
+            ("src/d/d.cpp", "", "has no row for src/d"),
+            (
+                "tests/architecture/check_places.cmake",
+                "only_from(b c)\nonly_from(c -)\n",
+                "differ on what b uses",
+            ),
             (f"{DECISIONS}/0002-b.md", "# 2. Second\n", "0002-b.md is not in the index"),
             (f"{DECISIONS}/0003-b.md", "# 3. Third\n", "is not number 2"),
             (f"{DECISIONS}/README.md", index.replace("First", "Other"), "the index calls"),
