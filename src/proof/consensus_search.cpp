@@ -69,6 +69,7 @@ double ConsensusSearch::search(Node& node) {
 double ConsensusSearch::branch(const Node& node) {
   std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
   for (Index v = 0; v < node.graph.num_vertices(); ++v) clique::set_bit(all.data(), v);
+  // L5: a set that one pose holds has at most one member of each colour
   const clique::Coloring coloring = clique::color_greedily(node.graph, all);
   if (coloring.num_colors == node.graph.num_vertices()) return resolve(node.kept, node.open);
 
