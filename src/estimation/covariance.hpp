@@ -22,8 +22,7 @@ namespace gmcr::estimation {
 /// @param indices         the m columns to use, those near the transform.
 /// @param scale_is_free   whether the scale was estimated too: 7 parameters instead of 6.
 /// @return nullopt where m < 3, or where the points are on one line to rounding: then some
-/// direction
-///   is not determined at all.
+///   direction is not determined at all.
 /// Cost O(m). Works about the centroid, so clouds far from the origin lose no digits; the
 /// covariance of t itself is large there, since t is the image of the far origin.
 std::optional<Covariance> estimate_covariance(const Similarity& target_from_source,

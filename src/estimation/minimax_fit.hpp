@@ -13,9 +13,9 @@ namespace gmcr::estimation {
 /// is least (Lawson 1961): weighted least squares, where each weight is multiplied by its relative
 /// residual.
 ///
-/// The least weighted mean of the squares that any transform has is a lower bound on the square of
-/// the least largest one. So a bound above 1 proves that no
-/// transform holds all of the points, wherever it is.
+/// Of any transform the weighted mean of the squares is at most the square of the largest. So the
+/// least mean of all transforms bounds the least largest residual from below, and where it exceeds
+/// 1 no transform holds all of the points, wherever it is (L5).
 class MinimaxFit {
  public:
   /// @param source, target  3 x M, metres.  @param bounds  M bounds eps_i, metres, > 0.

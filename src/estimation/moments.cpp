@@ -161,12 +161,13 @@ Similarity fit_with_rotation(const Moments& moments, const Eigen::Matrix3d& rota
   Similarity fit;
   fit.scale = std::clamp(optimal_scale, scales.min, scales.max);
   fit.rotation = rotation;
+  // t = mean b - s R mean a
   fit.translation = moments.target_mean - fit.scale * (rotation * moments.source_mean);
   return fit;
 }
 
 double least_squares_bound(const Moments& m, const ScaleRange& scales) {
-  // about the means the best translation is none
+  // L5: v_b + s^2 v_a - 2 s max_R tr(R^T H) about the means, where the best translation is none
   const double alignment = largest_alignment(m.covariance);
   const double s = m.source_variance > 0
                        ? std::clamp(alignment / m.source_variance, scales.min, scales.max)

@@ -21,7 +21,7 @@ Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance);
 /// 1991).
 /// @param a, b  3 x K, the same K, metres, finite.
 /// @return R with det R = +1, or nullopt where the vectors span less than a plane and R is not
-/// unique.
+///   unique.
 /// @throws std::invalid_argument on a shape mismatch. Cost O(K).
 std::optional<Eigen::Matrix3d> estimate_rotation(const PointsRef& a, const PointsRef& b);
 

@@ -12,6 +12,7 @@ double estimate_scale(const Eigen::ArrayXd& scales, const Eigen::ArrayXd& alphas
     weighted_sum += weight * scales[k];
     weight_sum += weight;
   }
+  // s = sum_k s_k / alpha_k^2 / sum_k 1 / alpha_k^2
   return weighted_sum / weight_sum;
 }
 

@@ -18,8 +18,8 @@ namespace gmcr::estimation {
 /// @param indices         the columns to use.
 /// @param scales          where the scale must lie; min == max: it is known.
 /// @return nullopt where fewer than 3 columns are given. Where the columns span less than a plane
-/// the
-///   rotation is one of many, the one that turns the least; where they coincide so is the scale.
+///   the rotation is one of many, the one that turns the least; where they coincide so is the
+///   scale.
 /// Cost O(number of indices).
 std::optional<Similarity> fit_similarity(const PointsRef& source, const PointsRef& target,
                                          const Eigen::ArrayXd& bounds,

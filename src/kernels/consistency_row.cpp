@@ -23,7 +23,7 @@ bool is_consistent(const geometry::CorrespondenceArrays& arrays, Index i, Index 
   const double b = difference(arrays.target, i, j).squared_norm();
   const double e = arrays.bounds[i] + arrays.bounds[j];
   const double ee = e * e;
-  // |b| <= scale_max |a| + e and |b| + e >= scale_min |a|, squared twice
+  // L1: |b| <= scale_max |a| + e and |b| + e >= scale_min |a|, squared twice
   const double longest = (scale_max * scale_max) * a, shortest = (scale_min * scale_min) * a;
   const double over = (b - longest) - ee, under = (shortest - b) - ee;
   const bool not_too_long = (over <= 0) | (over * over <= (4 * ee) * longest);

@@ -31,6 +31,7 @@ void write_squared_residuals(const PosePoints& points, Index begin, Index end, d
   const double *m = points.matrix, *t = points.translation;
   for (Index i = begin; i < end; ++i) {
     const double x = points.source[0][i], y = points.source[1][i], z = points.source[2][i];
+    // Eq. (1): b_i - (s R a_i + t)
     const double du = points.target[0][i] - (m[0] * x + m[1] * y + m[2] * z + t[0]);
     const double dv = points.target[1][i] - (m[3] * x + m[4] * y + m[5] * z + t[1]);
     const double dw = points.target[2][i] - (m[6] * x + m[7] * y + m[8] * z + t[2]);
@@ -73,6 +74,7 @@ Consensus consensus(const Similarity& target_from_source, const Eigen::MatrixX3d
     } else {
       write_squared_residuals(points, begin, end, squared.data());
       for (Index i = begin; i < end; ++i) {
+        // Eq. (3): |b_i - s R a_i - t|^2 <= eps_i^2
         const bool agrees =
             squared[static_cast<std::size_t>(i - begin)] <= factor * squared_bounds[i];
         agree |= std::uint64_t{agrees} << (i - begin);

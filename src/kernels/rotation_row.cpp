@@ -22,6 +22,7 @@ bool shares_rotation(const DirectionArrays& arrays, Index k, Index l) {
   const bool wide =
       sin_k * cos_l + cos_k * sin_l <= 0 && (sin_k > 0 || sin_l > 0 || cos_k < 0 || cos_l < 0);
   const double cos_a = dot(arrays.source, k, l), cos_b = dot(arrays.target, k, l);
+  // Eq. (15), L3: cos(angle(a_k, a_l) - angle(b_k, b_l)) >= cos(gamma_k + gamma_l)
   const double cos_difference = cos_a * cos_b + sine(cos_a) * sine(cos_b);
   return wide | (cos_difference + kCosineSlack >= cos_k * cos_l - sin_k * sin_l);
 }

@@ -74,6 +74,7 @@ void rotation_words(const DirectionPointers& arrays, Index k, Index first_word, 
       const auto is_open = hn::Or(k_is_open, hn::Or(hn::Gt(sin_l, zero), hn::Lt(cos_l, zero)));
       const auto wide = hn::And(hn::Le(sum_sine, zero), is_open);
       const Vector cos_a = source.cosines(l), cos_b = target.cosines(l);
+      // Eq. (15), L3
       const Vector cos_difference =
           hn::Add(hn::Mul(cos_a, cos_b), hn::Mul(sine(cos_a), sine(cos_b)));
       const Vector least = hn::Sub(hn::Mul(cos_k, cos_l), hn::Mul(sin_k, sin_l));

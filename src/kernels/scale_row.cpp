@@ -40,6 +40,7 @@ BinSpan agreeing_bins(const geometry::CorrespondenceArrays& arrays, const ScaleC
     return b <= e + cells.max * a ? covered_bins(cells, cells.min, cells.max, 0) : BinSpan{};
   }
   const double inverse = 1 / a;
+  // L1: (|bbar| - e) / |abar| <= s <= (|bbar| + e) / |abar|
   const double middle = b * inverse, half = e * inverse;
   const double reach = middle + half;
   return covered_bins(cells, middle - half, reach, kScaleRounding * reach);

@@ -32,6 +32,7 @@ DeepestPoint deepest_point(const Eigen::ArrayXd& lower, const Eigen::ArrayXd& up
       deepest.upper = ends[ended];
     }
   }
+  // Eq. (11), L2: intervals around one point overlap pairwise: the maximum clique
   for (Index k = 0; k < lower.size(); ++k) {
     if (lower[k] <= deepest.lower && deepest.upper <= upper[k] && best_depth > 0) {
       deepest.members.push_back(k);

@@ -16,7 +16,7 @@ struct DeepestPoint {
 /// Point that most of the closed intervals [lower_k, upper_k] contain.
 ///
 /// L2: intervals on a line that overlap pairwise share a point (Helly), so this is the maximum
-/// clique of the paper's scale consensus graph (eq:consensus:scale), without the graph.
+/// clique of the paper's scale consensus graph, Eq. (11), without the graph.
 /// @param lower, upper  K values each, infinities allowed; an interval with lower > upper is empty.
 /// Ties go to the smallest point. Cost O(K log K).
 DeepestPoint deepest_point(const Eigen::ArrayXd& lower, const Eigen::ArrayXd& upper);

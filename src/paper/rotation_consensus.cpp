@@ -14,9 +14,12 @@ namespace {
 
 /// Cosine of the half-angle of the cone that a TIM admits; nullopt where it admits none.
 std::optional<double> cone_cosine(double source_length, double target_length, double bound) {
+  // L3: every rotation suits, gamma_k = pi
   if (bound >= source_length + target_length) return -1.0;
+  // L1 fails: no rotation suits
   if (std::abs(target_length - source_length) > bound) return std::nullopt;
-  // Eq. (13), L3: |bbar|^2 + |s abar|^2 - 2 |bbar| |s abar| cos(gamma) = eps^2
+  // Eq. (12), (13), L3: |bbar - s R abar|^2 = |bbar|^2 + |s abar|^2 - 2 |bbar| |s abar| cos(angle)
+  // is at most eps^2 iff angle(bbar, R abar) <= gamma
   const double cosine =
       (target_length * target_length + source_length * source_length - bound * bound) /
       (2 * source_length * target_length);
@@ -75,7 +78,7 @@ std::optional<RotationConsensus> rotation_consensus(problem::Run& run, const Tim
   for (const Index vertex : clique.vertices) {
     consensus.tims.push_back(cones.tims[static_cast<std::size_t>(vertex)]);
   }
-  // min_R sum_k |bbar_k - R abar_k|^2
+  // Eq. (5) without outliers: min_R sum_k |bbar_k - R abar_k|^2
   const auto rotation = estimation::estimate_rotation(tims.source(Eigen::all, consensus.tims),
                                                       tims.target(Eigen::all, consensus.tims));
   if (!rotation) return std::nullopt;

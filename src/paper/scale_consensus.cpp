@@ -14,7 +14,7 @@ std::optional<ScaleConsensus> scale_consensus(const Tims& tims, const ScaleRange
   // Eq. (11), L2: TIMs k, l agree iff [s_k - alpha_k, s_k + alpha_k] meets [s_l - alpha_l, ...]
   consensus.tims =
       deepest_point(measurements.lower.max(scales.min), measurements.upper.min(scales.max)).members;
-  // Eq. (10): min_s sum_k (s - s_k)^2 / alpha_k^2
+  // Eq. (10) without outliers: min_s sum_k (s - s_k)^2 / alpha_k^2
   const double scale = estimation::estimate_scale(measurements.scale(consensus.tims),
                                                   measurements.alpha(consensus.tims));
   if (!std::isfinite(scale)) return std::nullopt;

@@ -35,6 +35,7 @@ std::vector<Pair> all_pairs(Index num_correspondences) {
 }
 
 Index max_members(Index num_pairs) {
+  // L5: m (m - 1) / 2 <= num_pairs
   auto m = static_cast<Index>((1 + std::sqrt(1 + 8 * static_cast<double>(num_pairs))) / 2);
   while (m * (m - 1) / 2 > num_pairs) --m;
   while ((m + 1) * m / 2 <= num_pairs) ++m;
@@ -45,10 +46,10 @@ ScaleMeasurements measure_scales(const Tims& tims) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ScaleMeasurements m;
   const Eigen::ArrayXd a = tims.source.colwise().norm(), b = tims.target.colwise().norm();
-  // Eq. (9): s_k = |bbar_k| / |abar_k|, alpha_k = eps_k / |abar_k|
+  // Eq. (8), (9): s_k = |bbar_k| / |abar_k|, known to alpha_k = eps_k / |abar_k|
   m.scale = b / a;
   m.alpha = tims.bounds / a;
-  // L1: the scales at which the two ends agree
+  // Eq. (7), L1: k agrees at the scales of [s_k - alpha_k, s_k + alpha_k]
   m.lower = (b - tims.bounds) / a;
   m.upper = (b + tims.bounds) / a;
   for (Index k = 0; k < tims.size(); ++k) {

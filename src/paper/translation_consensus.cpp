@@ -37,6 +37,7 @@ TranslationConsensus translation_consensus(problem::Run& run, const problem::Cor
   for (const Index vertex : clique.vertices) {
     consensus.correspondences.push_back(indices[static_cast<std::size_t>(vertex)]);
   }
+  // Eq. (2) without outliers, at s and R: min_t sum_i |t - t_i|^2 / eps_i^2
   consensus.translation = estimation::estimate_translation(
       measurements(Eigen::all, clique.vertices), some.bounds(clique.vertices));
   return consensus;

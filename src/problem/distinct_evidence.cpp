@@ -72,6 +72,7 @@ double DistinctEvidence::weight(Index i, double scale) const {
   const auto listed =
       std::partition_point(begin, end, [&](double max_scale) { return centre <= max_scale; }) -
       begin;
+  // L6: w_i(s) = 1 / (1 + number of copies at s)
   return 1.0 / (1.0 + static_cast<double>(always_[place] + listed));
 }
 

@@ -13,8 +13,8 @@ namespace gmcr::problem {
 
 /// Weights of distinct evidence (L6).
 ///
-/// A pair with |bbar_k| <= eps_k and s |abar_k| <= eps_k constrains neither scale nor rotation, and
-/// one a little longer hardly does: its two members are one piece of evidence seen twice.
+/// A pair with |bbar_k| <= eps_k and s |abar_k| <= eps_k leaves every scale up to s and a cone of 60
+/// degrees of rotation, and one a little longer not much less: its two members say one thing twice.
 /// Correspondence i weighs
 ///   w_i(s) = 1 / (1 + number of its partners at scale s),
 /// partners being the pairs with |bbar_k| <= kReach eps_k and o |abar_k| <= kReach eps_k, where o
@@ -22,7 +22,7 @@ namespace gmcr::problem {
 /// grows, and the pose of most evidence would be one whose scale is some per cent too large.
 class DistinctEvidence {
  public:
-  /// Partners at half as much again as the design's 1 tell clusters of outliers from inliers where
+  /// Partners at half as much again as the 1 of L6 tell clusters of outliers from inliers where
   /// these are few; farther ones would take dense inliers for copies.
   static constexpr double kReach = 1.5;
 

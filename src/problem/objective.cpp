@@ -35,7 +35,7 @@ ObjectiveIn<frame>::ObjectiveIn(const CorrespondencesIn<frame>& correspondences,
 template <Frame frame>
 double ObjectiveIn<frame>::evidence_of(const std::vector<Index>& indices, double scale) const {
   double evidence = 0;
-  for (const Index i : indices) evidence += weight(i, scale);  // L6
+  for (const Index i : indices) evidence += weight(i, scale);
   return evidence;
 }
 
@@ -53,6 +53,7 @@ HypothesisIn<frame> ObjectiveIn<frame>::judge(const PoseIn<frame>& pose) const {
   HypothesisIn<frame> hypothesis;
   hypothesis.pose = pose;
   hypothesis.inliers = std::move(consensus.indices);
+  // Eq. (2), L6: the sum of w_i(s) over I in place of its size
   hypothesis.evidence = evidence_of(hypothesis.inliers, pose.scale());
   // each of the others adds 1
   hypothesis.quadratic = static_cast<double>(squared_bounds_.size() - hypothesis.num_inliers());

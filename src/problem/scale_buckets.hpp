@@ -4,8 +4,8 @@
 
 namespace gmcr::problem {
 
-/// Scales in octaves: those of which the same power of two, times the centre, is the nearest by
-/// ratio.
+/// Scales in octaves: that of the centre c 2^k holds the scales from c 2^k / sqrt(2) to
+/// c 2^k sqrt(2). With c = 1 the scales 0.71 to 1.41 have the centre 1, 1.41 to 2.83 the centre 2.
 class Octaves {
  public:
   /// @param centre  of one of the octaves, > 0, finite.

@@ -69,6 +69,7 @@ double ConsensusSearch::search(Node& node) {
 double ConsensusSearch::branch(const Node& node) {
   std::vector<clique::Word> all(static_cast<std::size_t>(node.graph.words_per_row()), 0);
   clique::set_first_bits(all.data(), node.graph.num_vertices());
+  // L5: a set that one pose holds has at most one member of each colour
   const clique::Colouring colouring = clique::colour_greedily(node.graph, all);
   if (colouring.num_colours == node.graph.num_vertices()) return resolve(node.kept, node.open);
 

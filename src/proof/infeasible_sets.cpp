@@ -81,6 +81,7 @@ bool InfeasibleSets::may_hold(const estimation::Moments& members, double members
     sum += moments_[static_cast<std::size_t>(i)] *
            ((1 - members_share) / static_cast<double>(others.size()));
   }
+  // L5: held together, the least weighted mean of |residual|^2 / eps^2 is at most 1
   return estimation::least_squares_bound(sum, scales_) <= kLimit;
 }
 
@@ -90,6 +91,7 @@ estimation::MinimaxFit InfeasibleSets::fit(const std::vector<Index>& members) co
 }
 
 bool InfeasibleSets::excludes(estimation::MinimaxFit& fit) {
+  // L5: a least weighted mean above 1 excludes the set
   return fit.mean_square() > kLimit && fit.lower_bound() > kLimit;
 }
 

@@ -52,6 +52,7 @@ ScaleRange intersect_row(const SortedInliers& inliers, Index i, double scale, Sc
     const double a = std::sqrt(aa), b = (inliers.target.col(j) - inliers.target.col(i)).norm();
     const double e = inliers.bounds[i] + inliers.bounds[j];
     // a pair of inliers holds the scale, to rounding
+    // L1: (|bbar| - e) / |abar| <= s <= (|bbar| + e) / |abar|
     range.min = std::max(range.min, std::min((b - e) / a, scale));
     range.max = std::min(range.max, std::max((b + e) / a, scale));
   }

@@ -172,6 +172,7 @@ void explore_around_best(PoseSearch& search, const RangeGraph& range) {
 
 double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
                      std::uint64_t max_nodes) {
+  // L5: every consensus set at a scale of the range is a clique of its graph
   const double to_beat = search.to_beat(measure);
   const auto [vertices, upper_bound, proven] = [&] {
     const StageTimer timer(search.run(), "clique");

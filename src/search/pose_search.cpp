@@ -17,6 +17,7 @@ void PoseSearch::try_clique(const std::vector<Index>& clique) {
   const StageTimer timer(run_, "pose");
   if (!examined_.insert(clique).second) return;
   std::optional<problem::Hypothesis> pose = pose_from_clique(problem_, run_, clique, incumbent());
+  // L7: the clique was a candidate; the objective on all correspondences decides
   if (pose) keep(std::move(*pose));
 }
 

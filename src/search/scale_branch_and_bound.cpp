@@ -83,6 +83,7 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
     }
     std::push_heap(ranges_.begin(), ranges_.end(), is_less);
   }
+  // L5: the ranges cover all scales, so the largest of their bounds is one for all
   return std::max(ranges_.front().bounds.of(measure), search_.to_beat(measure));
 }
 
@@ -118,6 +119,8 @@ void ScaleBranchAndBound::search_inliers(Range& range, const RangeGraph& graph) 
     if (!proven) search_.note_early_end(Measure::Inliers, {Limit::CliqueSearch, kEndedEarly});
     range.bounds.inliers =
         std::min(range.bounds.inliers, proven && clique.empty() ? to_beat : upper_bound);
+    // L2: all pairs of the clique share a scale, so no part of the range around it has a smaller
+    // one
     if (agree_at_one_scale(search_.problem().arrays(), clique, range.scales)) {
       range.floors = {static_cast<double>(clique.size()), 0};
       for (const Index i : clique)

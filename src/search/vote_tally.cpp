@@ -57,6 +57,7 @@ void VoteTally::add(const VoteTally& other) {
 void VoteTally::read(Index bin, ScaleVotes& votes) const {
   const auto b = static_cast<std::size_t>(bin);
   votes.pairs[b] = static_cast<Index>(pairs_[b] / 2);
+  // L5: m members need m correspondences that agree with m - 1 others each
   votes.max_members[b] = most_reached(members_, num_bins_, b, 1);
   if (!weighted_) {
     votes.evidence[b] = static_cast<double>(votes.pairs[b]);

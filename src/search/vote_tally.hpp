@@ -23,8 +23,9 @@ struct Levels {
   }
 };
 
-/// What the correspondences agree with in each bin, counted by levels. Sums of whole numbers: the
-/// order of the additions does not matter.
+/// A histogram for each bin: how many correspondences agree there with how many others, and with
+/// others of what weight. 30 correspondences that agree with 7 others each add 30 to level 8. Sums
+/// of whole numbers: the order of the additions does not matter.
 class VoteTally {
  public:
   VoteTally(Index num_bins, bool weighted);
