@@ -3,24 +3,38 @@
 export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 
-.PHONY: build demo test bench bench-paper clean format
+.PHONY: configure build demo test lint sanitize bench bench-paper clean format
 
-build: build/.packages
-	@cmake --preset release -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+build: configure
 	@cmake --build --preset release
+
+configure: build/.packages
+	@cmake --preset release -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 
 build/.packages: packages.txt tools/install_packages
 	@mkdir -p build
 	@tools/install_packages
 	@touch $@
 
-demo: build
+demo: configure
+	@cmake --build --preset release --target gmcr_cli
 	@examples/demo/run
 
 test: build
 	@ctest --preset release -j2
 	@tools/make_venv
 	@build/venv/bin/python -m pytest -q tests/python
+
+# clang-format, headers alone, ruff, mypy, clang-tidy
+lint: build
+	@tools/make_venv
+	@tools/lint
+
+# the tests of the core with the address and undefined behaviour sanitizers
+sanitize: build/.packages
+	@cmake --preset asan-ubsan -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build --preset asan-ubsan --target core_tests
+	@ctest --preset asan-ubsan -L core -j2
 
 bench: build
 	@bench/run
