@@ -1,0 +1,192 @@
+// Prints a hash of the answer to each of some thousand problems: a restructuring changes none.
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "digests/case.hpp"
+
+namespace {
+
+using namespace gmcr::bench;
+
+struct Settings {
+  std::string filter;
+  std::string compare;
+  int threads = 0;
+  bool prints_parts = false;
+  bool prints_times = false;
+};
+
+struct Timing {
+  std::string name;
+  double seconds = 0;
+};
+
+struct Total {
+  int problems = 0;
+  double seconds = 0;
+};
+
+using Record = std::map<std::string, std::string>;  // hashes by name
+
+constexpr std::size_t kNumSlowest = 20;
+
+Cases all_cases() {
+  Cases cases;
+  add_known_scale(cases);
+  add_unknown_scale(cases);
+  add_certified(cases);
+  add_drawn(cases);
+  add_degenerate(cases);
+  add_instances(cases);
+  add_evaluations(cases);
+  add_cliques(cases);
+  add_clouds(cases);
+  add_real(cases);
+  return cases;
+}
+
+bool is_asked_for(const Settings& settings, const std::string& name) {
+  return name.find(settings.filter) != std::string::npos;
+}
+
+Cases cases_asked_for(const Settings& settings) {
+  Cases cases = all_cases();
+  std::erase_if(cases, [&](const Case& item) { return !is_asked_for(settings, item.name); });
+  return cases;
+}
+
+/// Two threads for each eighth, one for the others, or as many as all shall have.
+int threads_for(const Settings& settings, const Case& item) {
+  if (settings.threads > 0) return settings.threads;
+  return seed_of(item.name) % 8 == 0 ? 2 : 1;
+}
+
+/// That an input is refused is an answer too.
+Digest digest_of(const Settings& settings, const Case& item) {
+  Digest digest;
+  try {
+    item.solve(digest, threads_for(settings, item));
+  } catch (const std::invalid_argument&) {
+    digest.begin("refused");
+    digest.add(true);
+  }
+  return digest;
+}
+
+std::string in_hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+Record read_record(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  Record record;
+  for (std::string line; std::getline(file, line);) {
+    std::string name;
+    std::string hash;
+    std::istringstream(line) >> name >> hash;
+    if (!name.empty()) record[name] = hash;
+  }
+  return record;
+}
+
+void print_answer(const Settings& settings, const Case& item, const Digest& digest) {
+  std::string line = item.name + ' ' + in_hex(digest.hash());
+  if (settings.prints_parts) {
+    for (const auto& [name, hash] : digest.parts()) line += ' ' + name + '=' + in_hex(hash);
+  }
+  fmt::print("{}\n", line);
+  std::fflush(stdout);  // the last line says where it hangs
+}
+
+void print_times(std::vector<Timing> timings, const std::map<std::string, Total>& totals) {
+  for (const auto& [group, total] : totals) {
+    fmt::print(stderr, "{:<16} {:>5} problems {:>8.2f} s\n", group, total.problems, total.seconds);
+  }
+  const auto slower = [](const Timing& a, const Timing& b) { return a.seconds > b.seconds; };
+  std::sort(timings.begin(), timings.end(), slower);
+  timings.resize(std::min(timings.size(), kNumSlowest));
+  for (const Timing& slow : timings) {
+    fmt::print(stderr, "{:>8.3f} s {}\n", slow.seconds, slow.name);
+  }
+}
+
+/// The hashes; prints them, where there is nothing to compare them with.
+Record solve_all(const Settings& settings, const Cases& cases) {
+  Record record;
+  std::vector<Timing> timings;
+  std::map<std::string, Total> totals;
+  for (const Case& item : cases) {
+    const auto start = std::chrono::steady_clock::now();
+    const Digest digest = digest_of(settings, item);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    timings.push_back({item.name, elapsed.count()});
+    totals[item.group].problems += 1;
+    totals[item.group].seconds += elapsed.count();
+    if (settings.compare.empty()) print_answer(settings, item, digest);
+    if (!record.emplace(item.name, in_hex(digest.hash())).second) {
+      throw std::logic_error(item.name + ": named twice");
+    }
+  }
+  if (settings.prints_times) print_times(timings, totals);
+  return record;
+}
+
+/// Prints the names that differ, or that only one of the two has, and returns how many there are.
+int compare(const Settings& settings, const Record& now) {
+  int num_different = 0;
+  const auto differs = [&](const std::string& name, const char* how) {
+    fmt::print("{} {}\n", name, how);
+    ++num_different;
+  };
+  const Record before = read_record(settings.compare);
+  for (const auto& [name, hash] : now) {
+    const auto known = before.find(name);
+    if (known == before.end()) {
+      differs(name, "is new");
+    } else if (known->second != hash) {
+      differs(name, "differs");
+    }
+  }
+  for (const auto& [name, hash] : before) {
+    if (is_asked_for(settings, name) && !now.contains(name)) differs(name, "is missing");
+  }
+  return num_different;
+}
+
+int run(const Settings& settings) {
+  const Record record = solve_all(settings, cases_asked_for(settings));
+  if (settings.compare.empty()) return 0;
+  const int num_different = compare(settings, record);
+  fmt::print("{} problems, {} differ\n", record.size(), num_different);
+  return num_different == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Prints a hash of the bits of the answer to each of many small problems."};
+  Settings settings;
+  app.add_option("--filter", settings.filter, "only problems whose name contains this");
+  app.add_option("--compare", settings.compare,
+                 "a recorded output: print what differs from it; exit 1 if anything does");
+  app.add_option("--threads", settings.threads, "for every problem; 0: 1, and 2 for some")
+      ->check(CLI::NonNegativeNumber);
+  app.add_flag("--parts", settings.prints_parts, "print the hash of each part of an answer too");
+  app.add_flag("--times", settings.prints_times, "print times to standard error");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return run(settings);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bench_digests: {}\n", error.what());
+    return 2;
+  }
+}
