@@ -52,8 +52,7 @@ Json run_one(const Settings& settings, const std::string& kind, const std::strin
                  {"seed", seed},
                  {"true_scale", drawn.target_from_source.scale}};
   record.update(solve(problem, options, method, settings.limits, 1));
-  judge(record,
-                  record.contains("errors") && record["errors"]["mean_point"] < kMaxMeanPointError);
+  judge(record, record.contains("errors") && record["errors"]["mean_point"] < kMaxMeanPointError);
   return record;
 }
 

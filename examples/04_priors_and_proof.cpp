@@ -25,7 +25,7 @@ int main() {
   const gmcr::Result free = gmcr::register_correspondences(source, target, options);
 
   options.gravity = gmcr::GravityPrior{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(),
-                                              5 * 3.14159265358979 / 180};
+                                       5 * 3.14159265358979 / 180};
   const gmcr::Result upright = gmcr::register_correspondences(source, target, options);
 
   std::printf("without gravity: %zu agree, proven best: %s, runner-up %.0f %%\n",

@@ -49,8 +49,7 @@ void use_mixed_bounds(Options& options, const Problem& problem) {
 }
 
 void use_threshold(Options& options, const Problem& problem) {
-  options.noise_bound = 2 * problem.noise_bound;
-  options.threshold = 2;
+  options.noise_bound = 2 * problem.noise_bound / 2;
 }
 
 void estimate_noise(Options& options, const Problem&) {
@@ -115,7 +114,7 @@ const std::vector<Variant>& single_variants() {
       {"threshold", use_threshold},
       {"clique-solver", use_clique_solver},
       {"auto-noise", estimate_noise},
-      {"memory", [](Options& options, const Problem&) { options.budget.memory = 1 << 11; }},
+      {"memory", [](Options& options, const Problem&) { options.memory_limit = 1 << 11; }},
       {"certify", certify},
   };
   return variants;
@@ -131,7 +130,7 @@ const Variant& single_variant(const std::string& name) {
 
 Options timeless(int num_threads) {
   Options options;
-  options.budget.time = std::numeric_limits<double>::infinity();
+  options.time_limit = std::numeric_limits<double>::infinity();
   options.num_threads = num_threads;
   return options;
 }

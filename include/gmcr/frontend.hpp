@@ -134,4 +134,29 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options);
 
+/// Mean of the points in each occupied cell of a cubic grid.
+///
+/// The grid starts at the smallest coordinates of the cloud, so a translation of the cloud
+/// translates the result. Columns are in the order of the cells: x slowest, z fastest.
+/// @param points      3 x N, metres, finite.
+/// @param voxel_size  edge of a cell, metres, > 0, finite.
+/// @return 3 x M, M <= N.
+/// @throws std::invalid_argument naming `voxel_size` where an axis has more cells than 63 bits can
+///   number.
+/// Cost O(N log N). Deterministic.
+Points voxel_grid(const PointsRef& points, double voxel_size);
+
+/// Fast point feature histograms (Rusu, Blodow and Beetz, ICRA 2009) of a cloud by itself, with the
+/// radii and the orientation of normals of the options: what `match_clouds` computes on its voxels.
+/// @param points       3 x N, metres, finite.
+/// @param voxel_size   the unit of the radii, metres, > 0.
+/// @param num_threads  >= 0; 0 uses every core. The result does not depend on it.
+/// @return 33 x N, column i is the feature of point i: three histograms of 11 bins, each sums to
+///   200; 0 where a point has no normal or no neighbours.
+/// @throws std::invalid_argument on a value that is not finite or a bad option.
+/// Cost O(number of neighbours).
+Eigen::Matrix<float, 33, Eigen::Dynamic> fpfh(const PointsRef& points,
+                                              const FrontendOptions& frontend, double voxel_size,
+                                              int num_threads);
+
 }  // namespace gmcr

@@ -12,4 +12,7 @@ std::string active_isa();
 /// Instruction sets that the library was built for and this machine has, best first.
 std::vector<std::string> supported_isas();
 
+/// Threads that `num_threads = 0` stands for: every core that this process may use.
+int hardware_threads();
+
 }  // namespace gmcr

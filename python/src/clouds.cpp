@@ -1,7 +1,4 @@
 #include "bindings.hpp"
-#include "frontend/fpfh.hpp"
-#include "frontend/normals.hpp"
-#include "frontend/voxel_grid.hpp"
 #include "gmcr/frontend.hpp"
 #include "interruptible.hpp"
 #include "pose_properties.hpp"
@@ -10,22 +7,6 @@
 
 namespace gmcr::python {
 namespace {
-
-frontend::Features fpfh(const PointsRef& points, const FrontendOptions& frontend, double unit,
-                        int num_threads) {
-  frontend.validate();
-  if (!points.allFinite()) throw std::invalid_argument("points: not all are finite");
-  const auto neighbourhoods =
-      frontend::find_neighbourhoods(points, frontend.feature_radius * unit, num_threads);
-  const Points normals = frontend::estimate_normals(points, neighbourhoods,
-                                                    frontend.normal_radius * unit, num_threads);
-  return frontend::compute_fpfh(
-      points,
-      frontend.orientation == NormalOrientation::Outward
-          ? frontend::orient_outward(points, normals)
-          : frontend::orient_toward(points, normals, frontend.source_viewpoint),
-      neighbourhoods, num_threads);
-}
 
 std::string describe(const CloudResult& result) {
   const auto registration = nb::cast<std::string>(nb::repr(nb::cast(result.registration)));
@@ -116,7 +97,7 @@ void bind_clouds(nb::module_& module) {
       [](const PointsArray& points, double voxel_size) {
         const Points means = [&] {
           const nb::gil_scoped_release no_gil;
-          return frontend::voxel_grid(points_of(points), voxel_size);
+          return voxel_grid(points_of(points), voxel_size);
         }();
         return copy(means.data(), {static_cast<std::size_t>(means.cols()), 3});
       },
@@ -126,12 +107,11 @@ void bind_clouds(nb::module_& module) {
       "fpfh",
       [](const PointsArray& points, const FrontendOptions& frontend, double voxel_size,
          int num_threads) {
-        const frontend::Features features = [&] {
+        const auto features = [&] {
           const nb::gil_scoped_release no_gil;
           return fpfh(points_of(points), frontend, voxel_size, num_threads);
         }();
-        return copy(features.data(),
-                    {static_cast<std::size_t>(features.cols()), frontend::kFpfhBins});
+        return copy(features.data(), {static_cast<std::size_t>(features.cols()), features.rows()});
       },
       nb::sig("def fpfh(points: numpy.typing.NDArray[numpy.float64], frontend: FrontendOptions, "
               "voxel_size: float, "

@@ -5,7 +5,6 @@
 #include "bindings.hpp"
 #include "gmcr/isa.hpp"
 #include "gmcr/version.hpp"
-#include "parallel/parallel_for.hpp"
 
 NB_MODULE(_gmcr, module) {
   using namespace gmcr;
@@ -20,7 +19,7 @@ NB_MODULE(_gmcr, module) {
   module.def("instruction_sets", &supported_isas,
              "Instruction sets that the library was built for and this machine has, best first.");
   module.def(
-      "hardware_threads", [] { return parallel::resolve_num_threads(0); },
+      "hardware_threads", [] { return hardware_threads(); },
       "Threads that num_threads=0 stands for: every core that this process may use.");
   python::bind_similarity(module);
   python::bind_options(module);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/admitted.hpp"
+#include "estimation/prior_projection.hpp"
 #include "estimation/similarity_fit.hpp"
 
 namespace gmcr::estimation {

@@ -6,7 +6,7 @@
 
 namespace gmcr::estimation {
 
-/// How far chosen points reach from their centroid and from the line through it that fits them
+/// How far chosen points are from their centroid and from the line through it that fits them
 /// best.
 struct Spread {
   double from_centroid = 0;  ///< metres; 0: all points coincide

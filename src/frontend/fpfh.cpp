@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
+#include "frontend/normals.hpp"
+#include "gmcr/frontend.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
@@ -107,3 +110,25 @@ Features compute_fpfh(const PointsRef& points, const Points& normals,
 }
 
 }  // namespace gmcr::frontend
+
+namespace gmcr {
+
+Eigen::Matrix<float, 33, Eigen::Dynamic> fpfh(const PointsRef& points,
+                                              const FrontendOptions& frontend, double voxel_size,
+                                              int num_threads) {
+  static_assert(frontend::kFpfhBins == 33);
+  frontend.validate();
+  if (!points.allFinite()) throw std::invalid_argument("points: not all are finite");
+  const auto neighbourhoods =
+      frontend::find_neighbourhoods(points, frontend.feature_radius * voxel_size, num_threads);
+  const Points normals = frontend::estimate_normals(
+      points, neighbourhoods, frontend.normal_radius * voxel_size, num_threads);
+  return frontend::compute_fpfh(
+      points,
+      frontend.orientation == NormalOrientation::Outward
+          ? frontend::orient_outward(points, normals)
+          : frontend::orient_toward(points, normals, frontend.source_viewpoint),
+      neighbourhoods, num_threads);
+}
+
+}  // namespace gmcr

@@ -7,7 +7,6 @@
 #include "frontend/extent.hpp"
 #include "frontend/feature_matching.hpp"
 #include "frontend/surface.hpp"
-#include "frontend/voxel_grid.hpp"
 
 namespace gmcr {
 namespace {
@@ -34,7 +33,7 @@ double voxel_size_from(const PointsRef& points) {
 double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
   constexpr int kMostSteps = 6;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto num_voxels = static_cast<double>(frontend::voxel_grid(points, voxel_size).cols());
+    const auto num_voxels = static_cast<double>(voxel_grid(points, voxel_size).cols());
     if (num_voxels <= kSparseShare * static_cast<double>(points.cols())) break;
     voxel_size *= std::numbers::sqrt2;
   }

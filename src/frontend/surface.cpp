@@ -1,7 +1,7 @@
 #include "frontend/surface.hpp"
 
 #include "frontend/normals.hpp"
-#include "frontend/voxel_grid.hpp"
+#include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
 

@@ -1,5 +1,3 @@
-#include "frontend/voxel_grid.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -7,7 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace gmcr::frontend {
+#include "gmcr/frontend.hpp"
+
+namespace gmcr {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
@@ -69,4 +69,4 @@ Points voxel_grid(const PointsRef& points, double voxel_size) {
   return means;
 }
 
-}  // namespace gmcr::frontend
+}  // namespace gmcr

@@ -42,8 +42,8 @@ BinSpan agreeing_bins(const geometry::CorrespondenceArrays& arrays, const ScaleC
   const double inverse = 1 / a;
   // L1: (|bbar| - e) / |abar| <= s <= (|bbar| + e) / |abar|
   const double middle = b * inverse, half = e * inverse;
-  const double reach = middle + half;
-  return covered_bins(cells, middle - half, reach, kScaleRounding * reach);
+  const double upper = middle + half;
+  return covered_bins(cells, middle - half, upper, kScaleRounding * upper);
 }
 
 }  // namespace gmcr::kernels

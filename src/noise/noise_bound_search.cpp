@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/admitted.hpp"
+#include "estimation/prior_projection.hpp"
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"
 #include "search/best_poses.hpp"
@@ -39,15 +39,15 @@ constexpr Index kFirstCount = 4;  // of the sets that false alarms are counted o
 constexpr double kLeastBound = 1e-60;
 
 /// A clique solver that gives up early: a rung needs a pose, not a proof.
-class HastyCliqueSolver : public CliqueSolver {
+class BudgetedCliqueSolver : public CliqueSolver {
  public:
-  explicit HastyCliqueSolver(std::shared_ptr<const CliqueSolver> solver)
+  explicit BudgetedCliqueSolver(std::shared_ptr<const CliqueSolver> solver)
       : solver_(std::move(solver)) {}
 
   CliqueResult solve(const BitsetGraph& graph, const CliqueOptions& options) const override {
-    CliqueOptions hasty = options;
-    hasty.max_nodes = std::min(hasty.max_nodes, kMaxNodes);
-    return solver_ ? solver_->solve(graph, hasty) : max_clique(graph, hasty);
+    CliqueOptions budgeted = options;
+    budgeted.max_nodes = std::min(budgeted.max_nodes, kMaxNodes);
+    return solver_ ? solver_->solve(graph, budgeted) : max_clique(graph, budgeted);
   }
 
  private:
@@ -96,7 +96,7 @@ NoiseBoundSearch::NoiseBoundSearch(const PointsRef& source, const PointsRef& tar
       target_(target),
       source_distances_(source_),
       target_distances_(target_),
-      clique_solver_(std::make_shared<HastyCliqueSolver>(options.clique_solver)) {
+      clique_solver_(std::make_shared<BudgetedCliqueSolver>(options.clique_solver)) {
   const double from = source_distances_.median(), to = target_distances_.median();
   const double typical_scale = from > 0 && to > 0 ? to / from : 1;
   const double scale = options.scale_mode == ScaleMode::Known ? options.scale : typical_scale;

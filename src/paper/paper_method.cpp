@@ -37,9 +37,9 @@ void require_memory_for_tims(const Run& run, Index num_correspondences) {
   const std::size_t bytes = n * (n - 1) / 2 * kBytesPerTim;
   if (bytes <= run.options().memory_limit) return;
   throw InvalidOption("memory_limit", std::to_string(run.options().memory_limit) +
-                              " bytes, but the scale stage of " +
-                              std::to_string(num_correspondences) + " correspondences takes " +
-                              std::to_string(bytes));
+                                          " bytes, but the scale stage of " +
+                                          std::to_string(num_correspondences) +
+                                          " correspondences takes " + std::to_string(bytes));
 }
 
 /// All pairs that the filter admits, in lexicographic order.

@@ -29,15 +29,15 @@ struct CellPoint {
   std::int64_t cell;
   Index index;
   Eigen::Vector3d point;
-  double reach;
+  double radius;
 };
 
 /// A grid over all of the points.
 class Grid {
  public:
   /// @param width  of the cells, at least.
-  Grid(const PointsRef& points, const Eigen::ArrayXd& reaches, double width)
-      : points_(points), reaches_(reaches), origin_(points.rowwise().minCoeff()) {
+  Grid(const PointsRef& points, const Eigen::ArrayXd& radii, double width)
+      : points_(points), radii_(radii), origin_(points.rowwise().minCoeff()) {
     const double extent = (points.rowwise().maxCoeff() - origin_).maxCoeff();
     constexpr double kMaxCells = 1 << (kBitsPerAxis - 1), kRounding = 1e-9;
     per_width_ = 1 / (std::max(width, extent / kMaxCells) * (1 + kRounding));
@@ -51,7 +51,7 @@ class Grid {
       const Eigen::Vector3d place = (points_.col(i) - origin_) * per_width_;
       const auto along = [&](Index axis) { return static_cast<std::int64_t>(place[axis]) + 1; };
       sorted.push_back(
-          {along(0) * kNextX + along(1) * kNextY + along(2), i, points_.col(i), reaches_[i]});
+          {along(0) * kNextX + along(1) * kNextY + along(2), i, points_.col(i), radii_[i]});
     }
     std::sort(sorted.begin(), sorted.end(), [](const CellPoint& a, const CellPoint& b) {
       return a.cell != b.cell ? a.cell < b.cell : a.index < b.index;
@@ -61,14 +61,14 @@ class Grid {
 
  private:
   const PointsRef& points_;
-  const Eigen::ArrayXd& reaches_;
+  const Eigen::ArrayXd& radii_;
   Eigen::Vector3d origin_;
   double per_width_;
 };
 
 bool visit_pair(const CellPoint& a, const CellPoint& b, const Visit& visit) {
-  const double squared = (b.point - a.point).squaredNorm(), reach = a.reach + b.reach;
-  return squared > reach * reach || visit(a.index, b.index, reach);
+  const double squared = (b.point - a.point).squaredNorm(), radius = a.radius + b.radius;
+  return squared > radius * radius || visit(a.index, b.index, radius);
 }
 
 /// Visits the pairs of one of `from` and one of `to` in the row of cells at an offset from it.
@@ -96,15 +96,14 @@ bool visit_rows(const std::vector<CellPoint>& from, const std::vector<CellPoint>
 
 }  // namespace
 
-bool for_each_near_pair(const PointsRef& points, const Eigen::ArrayXd& reaches,
-                        const Visit& visit) {
-  std::map<int, std::vector<Index>> by_reach;  // of one power of two each
-  for (Index i = 0; i < points.cols(); ++i) by_reach[std::ilogb(reaches[i])].push_back(i);
+bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii, const Visit& visit) {
+  std::map<int, std::vector<Index>> by_radius;  // of one power of two each
+  for (Index i = 0; i < points.cols(); ++i) by_radius[std::ilogb(radii[i])].push_back(i);
   std::vector<Index> shorter;
-  for (const auto& [exponent, indices] : by_reach) {
+  for (const auto& [exponent, indices] : by_radius) {
     double longest = 0;
-    for (const Index i : indices) longest = std::max(longest, reaches[i]);
-    const Grid grid(points, reaches, 2 * longest);
+    for (const Index i : indices) longest = std::max(longest, radii[i]);
+    const Grid grid(points, radii, 2 * longest);
     const std::vector<CellPoint> cells = grid.sort(indices);
     if (!visit_rows(cells, cells, kOwnRow, true, visit) ||
         !visit_rows(cells, cells, kLaterRows, false, visit)) {

@@ -7,15 +7,15 @@
 
 namespace gmcr::problem {
 
-/// Calls visit(i, j, reach) once for each pair of points that are within
-/// reach = reaches_i + reaches_j of each other, until it returns false.
+/// Calls visit(i, j, radius) once for each pair of points that are within
+/// radius = radii_i + radii_j of each other, until it returns false.
 ///
-/// The points lie in grids of cells as wide as what they reach, one grid for all of about the same
-/// reach, so that one point that reaches far does not make the cells of all others wide. The order
+/// The points lie in grids of cells as wide as their radii, one grid for all of about the same
+/// radius, so that one point of large radius does not make the cells of all others wide. The order
 /// of the visits depends on the input only.
-/// @param points   3 x N, metres, finite.  @param reaches  N lengths, metres, > 0.
+/// @param points   3 x N, metres, finite.  @param radii  N lengths, metres, > 0.
 /// @return whether all pairs were visited. Cost O(N log N + pairs in neighbouring cells).
-bool for_each_near_pair(const PointsRef& points, const Eigen::ArrayXd& reaches,
-                        const std::function<bool(Index i, Index j, double reach)>& visit);
+bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii,
+                         const std::function<bool(Index i, Index j, double radius)>& visit);
 
 }  // namespace gmcr::problem

@@ -9,48 +9,48 @@
 namespace gmcr::problem {
 namespace {
 
-/// The scale up to which two correspondences with near targets are partners.
-double max_scale_of(const PointsRef& source, Index i, Index j, double reach) {
+/// The scale up to which two correspondences with near targets are copies.
+double max_scale_of(const PointsRef& source, Index i, Index j, double radius) {
   const double length = (source.col(j) - source.col(i)).norm();
-  return length > 0 ? reach / length : std::numeric_limits<double>::infinity();
+  return length > 0 ? radius / length : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
 DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& target,
                                    const Eigen::ArrayXd& bounds, std::size_t max_bytes,
-                                   const Octaves& octaves, const ScaleRange& scales)
-    : octaves_(octaves) {
-  const ScaleRange centres{octaves.centre_of(scales.min), octaves.centre_of(scales.max)};
-  const Eigen::ArrayXd reaches = kReach * bounds;
+                                   const ScaleBuckets& buckets, const ScaleRange& scales)
+    : buckets_(buckets) {
+  const ScaleRange centres{buckets.centre_of(scales.min), buckets.centre_of(scales.max)};
+  const Eigen::ArrayXd radii = kCopyRadius * bounds;
   const auto n = static_cast<std::size_t>(source.cols());
   const auto at = [](Index i) { return static_cast<std::size_t>(i); };
   const std::size_t max_entries = max_bytes / sizeof(double);
   std::size_t num_near = 0;
   always_.assign(n, 0);
   first_.assign(n + 1, 0);
-  complete_ = for_each_near_pair(target, reaches, [&](Index i, Index j, double reach) {
+  complete_ = for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
     num_near += 2;
-    const double max_scale = max_scale_of(source, i, j, reach);
+    const double max_scale = max_scale_of(source, i, j, radius);
     if (max_scale >= centres.max) {
       ++always_[at(i)];
       ++always_[at(j)];
-      has_partners_ = true;
+      has_copies_ = true;
     } else if (max_scale >= centres.min) {
       ++first_[at(i) + 1];
       ++first_[at(j) + 1];
     }
     return num_near <= max_entries;
   });
-  if (!complete_) has_partners_ = false;
+  if (!complete_) has_copies_ = false;
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   if (!complete_ || first_.back() == 0) return;
 
-  has_partners_ = true;
+  has_copies_ = true;
   max_scales_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  for_each_near_pair(target, reaches, [&](Index i, Index j, double reach) {
-    const double max_scale = max_scale_of(source, i, j, reach);
+  for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
+    const double max_scale = max_scale_of(source, i, j, radius);
     if (max_scale < centres.max && max_scale >= centres.min) {
       max_scales_[next[at(i)]++] = max_scale;
       max_scales_[next[at(j)]++] = max_scale;
@@ -65,7 +65,7 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
 
 double DistinctEvidence::weight(Index i, double scale) const {
   if (!complete_) return 1;
-  const double centre = octaves_.centre_of(scale);
+  const double centre = buckets_.centre_of(scale);
   const auto place = static_cast<std::size_t>(i);
   const auto begin = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place]);
   const auto end = max_scales_.begin() + static_cast<std::ptrdiff_t>(first_[place + 1]);

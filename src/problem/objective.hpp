@@ -41,11 +41,11 @@ class ObjectiveIn {
  public:
   /// Keeps a reference to `correspondences`.
   /// @param max_bytes  memory that the evidence weights may take.
-  /// @param scales     where the scale of all poses lies; in one octave a weight costs nothing.
-  /// @param octaves    by which the weights differ.
+  /// @param scales     where the scale of all poses lies; in one bucket a weight costs nothing.
+  /// @param buckets    by which the weights differ.
   ObjectiveIn(const CorrespondencesIn<frame>& correspondences, Evidence evidence,
               std::size_t max_bytes, const ScaleRange& scales = DistinctEvidence::kAllScales,
-              const Octaves& octaves = Octaves(1));
+              const ScaleBuckets& buckets = ScaleBuckets(1));
 
   const CorrespondencesIn<frame>& correspondences() const { return correspondences_; }
 
@@ -55,7 +55,7 @@ class ObjectiveIn {
   }
 
   /// Whether some correspondence gives less evidence than 1 at some scale.
-  bool is_weighted() const { return distinct_ && distinct_->has_partners(); }
+  bool is_weighted() const { return distinct_ && distinct_->has_copies(); }
 
   /// Whether weights differ from scale to scale.
   bool weights_depend_on_scale() const { return weights_.size() != correspondences_.size(); }

@@ -28,15 +28,14 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
     : options_(options),
       input_{source, target, inlier_bounds(options, source.cols())},
       size_(source.cols()),
-      octaves_(octaves_of(options, source, target)) {
+      buckets_(scale_buckets_of(options, source, target)) {
   Diagnostics& diagnostics = run.diagnostics();
   diagnostics.num_correspondences = diagnostics.num_used = size_;
   diagnostics.num_threads = parallel::resolve_num_threads(options.num_threads);
   if (is_too_small()) return;
   correspondences_ = centre(source, target, input_.bounds);
   const ScaleRange scales = scales_to_search(options, correspondences_);
-  const std::vector<Index> used =
-      admitted_correspondences(correspondences_, options, scales);
+  const std::vector<Index> used = admitted_correspondences(correspondences_, options, scales);
   diagnostics.scale_range = scales;
   diagnostics.num_used = size_ = static_cast<Index>(used.size());
   if (is_too_small()) return;
@@ -45,12 +44,11 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
     correspondences_ =
         centre(source(Eigen::all, used), target(Eigen::all, used), input_.bounds(used));
   }
-  constraints_ = {scales, options, correspondences_.source_origin,
-                  correspondences_.target_origin};
+  constraints_ = {scales, options, correspondences_.source_origin, correspondences_.target_origin};
   {
     const StageTimer timer(run, "evidence");
     objective_.emplace(correspondences_, options.evidence, options.memory_limit / 4, scales,
-                       octaves_);
+                       buckets_);
   }
   if (!objective_->weights_complete()) run.limit(weights_incomplete());
   filter_.emplace(correspondences_, options, options.one_to_one, scales);

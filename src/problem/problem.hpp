@@ -42,7 +42,7 @@ class Problem {
   const Correspondences& correspondences() const { return correspondences_; }
   const ScaleRange& scales() const { return constraints_.scales; }
   bool scale_is_known() const { return scales().min == scales().max; }
-  const Octaves& octaves() const { return octaves_; }
+  const ScaleBuckets& buckets() const { return buckets_; }
 
   /// What a pose must satisfy.
   const estimation::PoseConstraints& constraints() const { return constraints_; }
@@ -62,7 +62,7 @@ class Problem {
   CallerCorrespondences input_;
   Index size_ = 0;
   Correspondences correspondences_;
-  Octaves octaves_;
+  ScaleBuckets buckets_;
   estimation::PoseConstraints constraints_;
   std::optional<Objective> objective_;
   std::optional<PairFilter> filter_;

@@ -32,8 +32,7 @@ LimitHit weights_incomplete() {
           "the memory budget does not suffice for distinct evidence: inliers were counted"};
 }
 
-Run::Run(const Options& options)
-    : options_(options), deadline_(options.time_limit, options.stop) {}
+Run::Run(const Options& options) : options_(options), deadline_(options.time_limit, options.stop) {}
 
 bool Run::stopped() {
   if (cancelled_ || options_.stop.stop_requested()) {

@@ -4,14 +4,14 @@
 
 namespace gmcr::problem {
 
-/// Scales in octaves: that of the centre c 2^k holds the scales from c 2^k / sqrt(2) to
+/// Scales in buckets: that of the centre c 2^k holds the scales from c 2^k / sqrt(2) to
 /// c 2^k sqrt(2). With c = 1 the scales 0.71 to 1.41 have the centre 1, 1.41 to 2.83 the centre 2.
-class Octaves {
+class ScaleBuckets {
  public:
-  /// @param centre  of one of the octaves, > 0, finite.
-  explicit Octaves(double centre) : centre_(centre) {}
+  /// @param centre  of one of the buckets, > 0, finite.
+  explicit ScaleBuckets(double centre) : centre_(centre) {}
 
-  /// Centre of the octave of a scale, >= 0. It does not fall as the scale grows. Scales whose ratio
+  /// Centre of the bucket of a scale, >= 0. It does not fall as the scale grows. Scales whose ratio
   /// to the centre is no double, such as 0 and infinity, stay what they are.
   double centre_of(double scale) const {
     const double ratio = scale / centre_;
@@ -21,12 +21,12 @@ class Octaves {
     return std::ldexp(centre_, mantissa < kSqrtHalf ? exponent - 1 : exponent);
   }
 
-  /// What divides an octave into `count` even parts: edge 0 is the end of an octave, by a rounding
+  /// What divides an bucket into `count` even parts: edge 0 is the end of an bucket, by a rounding
   /// below it; edge `count` that of the next one.
   double edge(int k, int count) const {
-    const int octave = static_cast<int>(std::floor(static_cast<double>(k) / count));
-    const double share = static_cast<double>(k - octave * count) / count;
-    return std::ldexp(centre_ * kEnd * std::exp2(share), octave);
+    const int bucket = static_cast<int>(std::floor(static_cast<double>(k) / count));
+    const double share = static_cast<double>(k - bucket * count) / count;
+    return std::ldexp(centre_ * kEnd * std::exp2(share), bucket);
   }
 
  private:

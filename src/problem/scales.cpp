@@ -37,10 +37,11 @@ double typical_scale(const PointsRef& source, const PointsRef& target) {
   return ratio_of(median_radius(source), median_radius(target));
 }
 
-Octaves octaves_of(const Options& options, const PointsRef& source, const PointsRef& target) {
+ScaleBuckets scale_buckets_of(const Options& options, const PointsRef& source,
+                              const PointsRef& target) {
   const double middle =
       options.scale_mode == ScaleMode::Known ? options.scale : typical_scale(source, target);
-  return Octaves(std::isnormal(middle) ? middle : 1);
+  return ScaleBuckets(std::isnormal(middle) ? middle : 1);
 }
 
 ScaleRange default_scale_range(const Correspondences& correspondences) {

@@ -10,8 +10,10 @@ namespace gmcr::problem {
 /// of them has none.
 double typical_scale(const PointsRef& source, const PointsRef& target);
 
-/// Octaves of which one has the known scale, or the typical one of all of the input, in its middle.
-Octaves octaves_of(const Options& options, const PointsRef& source, const PointsRef& target);
+/// ScaleBuckets of which one has the known scale, or the typical one of all of the input, in its
+/// middle.
+ScaleBuckets scale_buckets_of(const Options& options, const PointsRef& source,
+                              const PointsRef& target);
 
 /// Where an unknown scale is searched for when the caller does not say: within a factor of 20 of
 /// the ratios of the clouds' sizes, by their medians and by their mean squares.

@@ -47,7 +47,7 @@ double ConsensusSearch::run(double to_beat) {
   std::vector<Index> all(static_cast<std::size_t>(graph_.num_vertices()));
   std::iota(all.begin(), all.end(), Index{0});
   Node root;
-  root.open = hopeful(graph_, all, 0);  // before anything is copied: most are not
+  root.open = candidates(graph_, all, 0);  // before anything is copied: most are not
   if (deadline_.expired()) return std::max(to_beat_, weight_of(root.open));
   root.graph = clique::induced_subgraph(graph_, root.open);
   // best first: colourings then need fewer classes
@@ -56,10 +56,10 @@ double ConsensusSearch::run(double to_beat) {
 }
 
 double ConsensusSearch::search(Node& node) {
-  drop_hopeless(node);
+  drop_light(node);
   if (!node.kept.empty()) {
-    drop_misfits(node);
-    drop_hopeless(node);
+    drop_infeasible(node);
+    drop_light(node);
   }
   if (!exceeds(node.kept_weight + weight_of(node.open))) return to_beat_;
   if (!node.kept.empty()) sort_by_fit(node);
@@ -123,18 +123,18 @@ void ConsensusSearch::keep_open(Node& node, const std::vector<bool>& keep) const
   if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
-void ConsensusSearch::drop_hopeless(Node& node) const {
-  const std::vector<Index> kept = hopeful(node.graph, node.open, node.kept_weight);
+void ConsensusSearch::drop_light(Node& node) const {
+  const std::vector<Index> kept = candidates(node.graph, node.open, node.kept_weight);
   if (kept.size() < node.open.size()) select_open(node, kept);
 }
 
-std::vector<Index> ConsensusSearch::hopeful(const BitsetGraph& graph,
-                                            const std::vector<Index>& open,
-                                            double kept_weight) const {
+std::vector<Index> ConsensusSearch::candidates(const BitsetGraph& graph,
+                                               const std::vector<Index>& open,
+                                               double kept_weight) const {
   const std::size_t count = open.size();
   std::vector<double> around(count);  // all that a set with the vertex can weigh
   std::vector<bool> keep(count, true);
-  std::vector<Index> hopeless;
+  std::vector<Index> too_light;
   const auto weight = [&](Index v) {
     return weights_[static_cast<std::size_t>(open[static_cast<std::size_t>(v)])];
   };
@@ -142,7 +142,7 @@ std::vector<Index> ConsensusSearch::hopeful(const BitsetGraph& graph,
     const auto k = static_cast<std::size_t>(v);
     if (!keep[k] || exceeds(around[k])) return;
     keep[k] = false;
-    hopeless.push_back(v);
+    too_light.push_back(v);
   };
   for (Index v = 0; v < static_cast<Index>(count); ++v) {
     if (deadline_.expired()) return indices_of(keep);
@@ -152,18 +152,18 @@ std::vector<Index> ConsensusSearch::hopeful(const BitsetGraph& graph,
     clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { sum += weight(u); });
     judge(v);
   }
-  for (std::size_t k = 0; k < hopeless.size(); ++k) {
-    const auto row = graph.row(hopeless[k]);
+  for (std::size_t k = 0; k < too_light.size(); ++k) {
+    const auto row = graph.row(too_light[k]);
     clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) {
-      around[static_cast<std::size_t>(u)] -= weight(hopeless[k]);
+      around[static_cast<std::size_t>(u)] -= weight(too_light[k]);
       judge(u);
     });
   }
   return indices_of(keep);
 }
 
-void ConsensusSearch::drop_misfits(Node& node) const {
-  if (node.kept.size() > kMaxKeptForPairs) return drop_misfits_of_many(node);
+void ConsensusSearch::drop_infeasible(Node& node) const {
+  if (node.kept.size() > kMaxKeptForPairs) return drop_infeasible_with_many(node);
   const auto num_kept = static_cast<double>(node.kept.size());
   const estimation::Moments kept =
       sets_.mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
@@ -189,9 +189,9 @@ void ConsensusSearch::drop_misfits(Node& node) const {
   node.graph = std::move(graph);
 }
 
-void ConsensusSearch::drop_misfits_of_many(Node& node) const {
+void ConsensusSearch::drop_infeasible_with_many(Node& node) const {
   constexpr double kShares[] = {0.5, 0.75, 0.9};  // a few out of many that are valid
-  const auto kept = sets_.levelled_moments(node.kept);
+  const auto kept = sets_.minimax_moments(node.kept);
   std::vector<bool> keep(node.open.size(), false);
   for (std::size_t v = 0; kept && v < keep.size(); ++v) {
     keep[v] = std::all_of(std::begin(kShares), std::end(kShares), [&](double share) {

@@ -55,11 +55,11 @@ class ConsensusSearch {
   Node child(const Node& node, std::span<const Index> before, Index chosen) const;
   /// Vertices of a graph over `open` that sets of more than `to_beat_` may hold, ascending; others
   /// too where the deadline passes.
-  std::vector<Index> hopeful(const BitsetGraph& graph, const std::vector<Index>& open,
-                             double kept_weight) const;
-  void drop_hopeless(Node& node) const;
-  void drop_misfits(Node& node) const;
-  void drop_misfits_of_many(Node& node) const;
+  std::vector<Index> candidates(const BitsetGraph& graph, const std::vector<Index>& open,
+                                double kept_weight) const;
+  void drop_light(Node& node) const;
+  void drop_infeasible(Node& node) const;
+  void drop_infeasible_with_many(Node& node) const;
   void sort_by_fit(Node& node) const;
   void keep_open(Node& node, const std::vector<bool>& keep) const;
   void select_open(Node& node, const std::vector<Index>& vertices) const;

@@ -61,15 +61,15 @@ estimation::Moments InfeasibleSets::mean_moments(const std::vector<Index>& membe
   return sum;
 }
 
-std::optional<estimation::Moments> InfeasibleSets::levelled_moments(
+std::optional<estimation::Moments> InfeasibleSets::minimax_moments(
     const std::vector<Index>& members) const {
   constexpr int kSteps = 20;
-  estimation::MinimaxFit levelled = fit(members);
-  Eigen::ArrayXd weights = levelled.weights();
+  estimation::MinimaxFit minimax = fit(members);
+  Eigen::ArrayXd weights = minimax.weights();
   for (int step = 0; step < kSteps; ++step) {
-    weights = levelled.weights();
-    if (!levelled.step()) break;
-    if (excludes(levelled)) return std::nullopt;
+    weights = minimax.weights();
+    if (!minimax.step()) break;
+    if (excludes(minimax)) return std::nullopt;
   }
   return mean_moments(members, weights);
 }

@@ -34,7 +34,7 @@ class InfeasibleSets {
 
   /// Moments with the weights of some minimax fits, which bring the least mean close to the limit;
   /// nullopt where no transform holds all of the members.
-  std::optional<estimation::Moments> levelled_moments(const std::vector<Index>& members) const;
+  std::optional<estimation::Moments> minimax_moments(const std::vector<Index>& members) const;
 
   /// Whether the least mean leaves room for some members and others together.
   /// @param members        `mean_moments` of the members.

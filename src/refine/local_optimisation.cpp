@@ -15,7 +15,7 @@ namespace {
 /// Follows the pose of best score.
 class Climb {
  public:
-  Climb(const NearSet& near, const problem::CentredPose& start) : near_(near) {
+  Climb(const PoseNeighbourhood& near, const problem::CentredPose& start) : near_(near) {
     move_to(start);
     best_ = start;
     best_score_ = score_;
@@ -55,7 +55,7 @@ class Climb {
     score_ = near_.score(squares_, pose.scale());
   }
 
-  const NearSet& near_;
+  const PoseNeighbourhood& near_;
   problem::CentredPose pose_, best_;
   Eigen::ArrayXd squares_;  // at pose_
   Score score_, best_score_;
@@ -126,7 +126,7 @@ std::optional<problem::Hypothesis> optimise_locally(const problem::Problem& prob
   problem::Hypothesis best;
   problem::CentredPose pose = start;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const NearSet near(problem, pose, kNear);
+    const PoseNeighbourhood near(problem, pose, kNear);
     Climb climb(near, pose);
     if (round > 0) {
       climb.settle();

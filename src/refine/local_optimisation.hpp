@@ -29,7 +29,7 @@ struct Incumbent {
 /// @param incumbent  where those within 1.5 eps give no more evidence after the first fit, that fit
 /// is
 ///   the last; it is null where no pose is better than any.
-/// @return never worse than `start` by the objective; nullopt where a exhausted incumbent is near.
+/// @return never worse than `start` by the objective; nullopt where an exhausted incumbent is near.
 std::optional<problem::Hypothesis> optimise_locally(const problem::Problem& problem,
                                                     const problem::CentredPose& start,
                                                     const Incumbent& incumbent = {});
@@ -45,7 +45,7 @@ problem::Hypothesis hold_all(const problem::Problem& problem, const std::vector<
 /// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the
 /// worst residuals up, iteration by iteration, approach the pose of least largest residual (Lawson
 /// 1961); the correspondence that holds it back most is given up, and so on.
-/// @param must_exceed  evidence of a incumbent: nothing is tried where all within reach give no
+/// @param must_exceed  evidence of an incumbent: nothing is tried where all near give no
 /// more.
 /// @return never worse than `best` by the objective.
 problem::Hypothesis hold_more(const problem::Problem& problem, problem::Hypothesis best,

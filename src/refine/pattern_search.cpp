@@ -36,7 +36,7 @@ std::vector<Motion> directions(bool with_scale) {
 /// Follows the best score among motions about the centroid of the inliers.
 class PatternSearch {
  public:
-  PatternSearch(const NearSet& near, const problem::Hypothesis& start)
+  PatternSearch(const PoseNeighbourhood& near, const problem::Hypothesis& start)
       : near_(near), scales_(near.problem().scales()), pose_(start.pose) {
     const problem::Correspondences& c = near.problem().correspondences();
     centre_.setZero();
@@ -102,7 +102,7 @@ class PatternSearch {
     return next;
   }
 
-  const NearSet& near_;
+  const PoseNeighbourhood& near_;
   const ScaleRange scales_;
   problem::CentredPose pose_;
   Score score_;
@@ -116,7 +116,7 @@ problem::Hypothesis climb_by_motions(const problem::Problem& problem, problem::H
   constexpr double kNear = 1.6;
   if (best.num_inliers() < problem::kMinInliers || !problem.constraints().priors.admit_all())
     return best;
-  const NearSet near(problem, best.pose, kNear);
+  const PoseNeighbourhood near(problem, best.pose, kNear);
   problem::Hypothesis next = problem.objective().judge(PatternSearch(near, best).run());
   return problem::is_better(next, best) ? next : best;
 }

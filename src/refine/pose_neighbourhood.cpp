@@ -23,7 +23,8 @@ double sum_in_lanes(Index count, const Term& term) {
 
 }  // namespace
 
-NearSet::NearSet(const problem::Problem& problem, const problem::CentredPose& pose, double factor)
+PoseNeighbourhood::PoseNeighbourhood(const problem::Problem& problem,
+                                     const problem::CentredPose& pose, double factor)
     : problem_(problem),
       indices_(problem.objective().within(pose, factor)),
       source_(problem.correspondences().source(Eigen::all, indices_).transpose()),
@@ -36,12 +37,12 @@ NearSet::NearSet(const problem::Problem& problem, const problem::CentredPose& po
   }
 }
 
-Eigen::ArrayXd NearSet::relative_squares(const problem::CentredPose& pose) const {
+Eigen::ArrayXd PoseNeighbourhood::relative_squares(const problem::CentredPose& pose) const {
   return kernels::squared_residuals(pose.similarity, source_, target_) * inverse_squared_bounds_;
 }
 
-std::optional<problem::CentredPose> NearSet::fit(const Eigen::ArrayXd& relative_squares,
-                                                 double factor) const {
+std::optional<problem::CentredPose> PoseNeighbourhood::fit(const Eigen::ArrayXd& relative_squares,
+                                                           double factor) const {
   const auto chosen = relative_squares <= factor * factor;
   if (chosen.count() < problem::kMinInliers) return std::nullopt;
   const auto fit = estimation::fit_pose(
@@ -51,7 +52,8 @@ std::optional<problem::CentredPose> NearSet::fit(const Eigen::ArrayXd& relative_
   return problem::CentredPose{*fit};
 }
 
-std::vector<Index> NearSet::within(const Eigen::ArrayXd& relative_squares, double factor) const {
+std::vector<Index> PoseNeighbourhood::within(const Eigen::ArrayXd& relative_squares,
+                                             double factor) const {
   std::vector<Index> chosen;
   for (Index k = 0; k < relative_squares.size(); ++k) {
     if (!(relative_squares[k] <= factor * factor)) continue;
@@ -60,8 +62,8 @@ std::vector<Index> NearSet::within(const Eigen::ArrayXd& relative_squares, doubl
   return chosen;
 }
 
-double NearSet::evidence(const Eigen::ArrayXd& relative_squares, double factor,
-                         double scale) const {
+double PoseNeighbourhood::evidence(const Eigen::ArrayXd& relative_squares, double factor,
+                                   double scale) const {
   const double limit = factor * factor;
   const Index count = relative_squares.size();
   if (problem_.objective().weights_depend_on_scale()) {
@@ -78,7 +80,7 @@ double NearSet::evidence(const Eigen::ArrayXd& relative_squares, double factor,
   });
 }
 
-Score NearSet::score(const Eigen::ArrayXd& relative_squares, double scale) const {
+Score PoseNeighbourhood::score(const Eigen::ArrayXd& relative_squares, double scale) const {
   return {evidence(relative_squares, 1, scale), sum_in_lanes(relative_squares.size(), [&](Index k) {
             return relative_squares[k] < 1 ? relative_squares[k] : 1;
           })};

@@ -20,11 +20,12 @@ struct Score {
 };
 
 /// Correspondences near a pose, copied into columns: fits that stay near it look at no others.
-class NearSet {
+class PoseNeighbourhood {
  public:
   /// Those whose residual at the pose is at most `factor` times their bound. Keeps a reference to
   /// the problem. Cost O(N).
-  NearSet(const problem::Problem& problem, const problem::CentredPose& pose, double factor);
+  PoseNeighbourhood(const problem::Problem& problem, const problem::CentredPose& pose,
+                    double factor);
 
   const problem::Problem& problem() const { return problem_; }
   const std::vector<Index>& indices() const { return indices_; }  ///< ascending

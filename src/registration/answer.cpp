@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "estimation/admitted.hpp"
+#include "estimation/prior_projection.hpp"
 #include "proof/certificate.hpp"
 #include "registration/degeneracy.hpp"
 #include "registration/uncertainty.hpp"
@@ -108,7 +108,7 @@ Result judged_answer(const Problem& problem, const Found& found, Run& run) {
   const bool all_used = problem.size() == problem.input().size();
   const CallerObjective on_input(problem.input(), all_used ? Evidence::Count : options.evidence,
                                  options.memory_limit / 4, problem::DistinctEvidence::kAllScales,
-                                 problem.octaves());
+                                 problem.buckets());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
     run.limit(problem::weights_incomplete());

@@ -17,7 +17,7 @@ constexpr double kRounding = 1 + 1e-9;
 struct SortedInliers {
   Eigen::Matrix3Xd source, target;
   Eigen::ArrayXd bounds, slacks;
-  Eigen::ArrayXd reach;  ///< no source is farther away from that of i than reach_i
+  Eigen::ArrayXd radius;  ///< no source is farther away from that of i than radius_i
 
   Index size() const { return source.cols(); }
 };
@@ -36,8 +36,8 @@ SortedInliers sort_by_slack(const geometry::CorrespondenceArrays& inliers,
   sorted.slacks = slacks(order);
   if (sorted.size() == 0) return sorted;
   const Eigen::Vector3d centre = sorted.source.rowwise().mean();
-  sorted.reach = (sorted.source.colwise() - centre).colwise().norm();
-  sorted.reach += sorted.reach.maxCoeff();
+  sorted.radius = (sorted.source.colwise() - centre).colwise().norm();
+  sorted.radius += sorted.radius.maxCoeff();
   return sorted;
 }
 
@@ -46,7 +46,7 @@ ScaleRange intersect_row(const SortedInliers& inliers, Index i, double scale, Sc
   for (Index j = i + 1; j < inliers.size(); ++j) {
     const double width = kRounding * std::max(scale - range.min, range.max - scale);
     const double room = inliers.slacks[i] + inliers.slacks[j];
-    if (room > width * inliers.reach[i]) break;  // and so for all later ones
+    if (room > width * inliers.radius[i]) break;  // and so for all later ones
     const double aa = (inliers.source.col(j) - inliers.source.col(i)).squaredNorm();
     if (aa == 0 || room * room > width * width * aa) continue;
     const double a = std::sqrt(aa), b = (inliers.target.col(j) - inliers.target.col(i)).norm();

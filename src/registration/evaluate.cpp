@@ -49,7 +49,7 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
                                              problem::inlier_bounds(options, source.cols())};
   const problem::CallerObjective objective(input, options.evidence, options.memory_limit / 4,
                                            problem::DistinctEvidence::kAllScales,
-                                           problem::octaves_of(options, source, target));
+                                           problem::scale_buckets_of(options, source, target));
   const problem::CallerHypothesis judged = objective.judge({target_from_source});
   return {judged.inliers, judged.evidence};
 }

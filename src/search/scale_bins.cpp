@@ -15,17 +15,17 @@ std::uint64_t cell_of(double scale) {
 
 }  // namespace
 
-ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const problem::Octaves& octaves)
+ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const problem::ScaleBuckets& buckets)
     : first_cell_(cell_of(range.min)) {
   const double span = std::log2(range.max) - std::log2(range.min);
-  // the widest range of all has 2,098 octaves
+  // the widest range of all has 2,098 buckets
   const double num_that_fit = std::floor(static_cast<double>(kMaxBins - 1) / span);
-  const int num_in_octave =
+  const int num_in_bucket =
       static_cast<int>(std::min(std::round(1 / std::log2(ratio)), num_that_fit));
   edges_.push_back(range.min);
-  const double octave = std::floor(std::log2(range.min) - std::log2(octaves.edge(0, 1)));
-  for (int k = num_in_octave * static_cast<int>(octave);; ++k) {
-    const double next = octaves.edge(k, num_in_octave);
+  const double bucket = std::floor(std::log2(range.min) - std::log2(buckets.edge(0, 1)));
+  for (int k = num_in_bucket * static_cast<int>(bucket);; ++k) {
+    const double next = buckets.edge(k, num_in_bucket);
     if (next >= range.max) break;
     // no two edges between bins in one cell
     const bool is_alone = edges_.size() == 1 || cell_of(next) != cell_of(edges_.back());

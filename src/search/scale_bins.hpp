@@ -9,17 +9,17 @@
 
 namespace gmcr::search {
 
-/// A range of scales cut into bins of equal ratio, so many to an octave that each octave ends with
+/// A range of scales cut into bins of equal ratio, so many to an bucket that each bucket ends with
 /// a bin: within a bin the weights of evidence are the same.
 class ScaleBins {
  public:
   static constexpr Index kMaxBins = 4096;
 
-  /// @param ratio  upper over lower edge of a bin, about, in [1.01, 2]: octaves are divided evenly.
+  /// @param ratio  upper over lower edge of a bin, about, in [1.01, 2]: buckets are divided evenly.
   ///   It is larger where the range would have more than kMaxBins of that. The first and the last
   ///   bin may be narrower.
   ScaleBins(const ScaleRange& range, double ratio,
-            const problem::Octaves& octaves = problem::Octaves(1));
+            const problem::ScaleBuckets& buckets = problem::ScaleBuckets(1));
 
   Index size() const { return static_cast<Index>(edges_.size()) - 1; }
   ScaleRange operator[](Index bin) const { return {edge(bin), edge(bin + 1)}; }

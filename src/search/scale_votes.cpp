@@ -55,7 +55,7 @@ class TallyPool {
 class RowVotes {
  public:
   RowVotes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
-           const RunWeights& weights)
+           const BinGroupWeights& weights)
       : arrays_(arrays),
         num_bins_(bins.size()),
         cells_(bins.cells()),
@@ -72,9 +72,9 @@ class RowVotes {
     changes_before_ = changes_;
     add_pairs(i + 1, arrays_.size());
     std::uint64_t sum = 0, before = 0;
-    for (Index run = 0, bin = 0; bin < num_bins_; ++run) {
-      const std::uint64_t own = weights_.run(run)[i];
-      for (const Index end = std::min(num_bins_, weights_.first_of_run(run + 1)); bin < end;
+    for (Index group = 0, bin = 0; bin < num_bins_; ++group) {
+      const std::uint64_t own = weights_.group(group)[i];
+      for (const Index end = std::min(num_bins_, weights_.first_of_group(group + 1)); bin < end;
            ++bin) {
         sum += changes_[static_cast<std::size_t>(bin)];
         before += changes_before_[static_cast<std::size_t>(bin)];
@@ -99,14 +99,14 @@ class RowVotes {
     for (Index j = begin; j < end; ++j) {
       const kernels::BinSpan span = spans_[static_cast<std::size_t>(j)];
       const Index last = span.end() - (span.end() != span.begin());
-      Index run = weights_.run_of(span.begin());
-      const Index last_run = weights_.run_of(last);
-      std::uint64_t share = kOnePair + weights_.run(run)[j];
+      Index group = weights_.group_of(span.begin());
+      const Index last_run = weights_.group_of(last);
+      std::uint64_t share = kOnePair + weights_.group(group)[j];
       changes[span.begin()] += share;
-      while (run != last_run) {
-        ++run;
-        const std::uint64_t next_share = kOnePair + weights_.run(run)[j];
-        changes[weights_.first_of_run(run)] += next_share - share;
+      while (group != last_run) {
+        ++group;
+        const std::uint64_t next_share = kOnePair + weights_.group(group)[j];
+        changes[weights_.first_of_group(group)] += next_share - share;
         share = next_share;
       }
       changes[span.end()] -= share;
@@ -116,24 +116,24 @@ class RowVotes {
   const geometry::CorrespondenceArrays& arrays_;
   Index num_bins_;
   kernels::ScaleCells cells_;
-  const RunWeights& weights_;
+  const BinGroupWeights& weights_;
   std::vector<kernels::BinSpan> spans_;
   std::vector<std::uint64_t> changes_, changes_before_;
 };
 
 }  // namespace
 
-RunWeights::RunWeights(Index num_correspondences)
+BinGroupWeights::BinGroupWeights(Index num_correspondences)
     : num_correspondences_(num_correspondences),
       weights_(static_cast<std::size_t>(num_correspondences), kOne) {}
 
-RunWeights::RunWeights(Index num_correspondences, const ScaleBins& bins,
-                       const std::function<double(Index i, double scale)>& weight)
+BinGroupWeights::BinGroupWeights(Index num_correspondences, const ScaleBins& bins,
+                                 const std::function<double(Index i, double scale)>& weight)
     : num_correspondences_(num_correspondences), shift_(4) {
   constexpr Index kMaxRuns = 32;
-  while (run_of(bins.size() - 1) >= kMaxRuns) ++shift_;
-  for (Index run = 0; run <= run_of(bins.size() - 1); ++run) {
-    const Index last = std::min(bins.size(), first_of_run(run + 1)) - 1;
+  while (group_of(bins.size() - 1) >= kMaxRuns) ++shift_;
+  for (Index group = 0; group <= group_of(bins.size() - 1); ++group) {
+    const Index last = std::min(bins.size(), first_of_group(group + 1)) - 1;
     for (Index i = 0; i < num_correspondences; ++i) {
       weights_.push_back(static_cast<std::uint32_t>(std::ceil(weight(i, bins[last].max) * kOne)));
     }
@@ -141,7 +141,7 @@ RunWeights::RunWeights(Index num_correspondences, const ScaleBins& bins,
 }
 
 ScaleVotes count_scale_votes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                             const RunWeights& weights, std::size_t max_bytes, int num_threads,
+                             const BinGroupWeights& weights, std::size_t max_bytes, int num_threads,
                              const parallel::Deadline& deadline) {
   constexpr Index kRowsPerChunk = ScaleVotes::kRowsPerChunk;
   const Index n = arrays.size();

@@ -10,32 +10,34 @@
 
 namespace gmcr::search {
 
-/// Weights of the correspondences, taken as constant over runs of neighbouring bins, in whole
+/// Weights of the correspondences, taken as constant over groups of neighbouring bins, in whole
 /// numbers of kOne-th parts, rounded up: sums of them are the same in any order.
-class RunWeights {
+class BinGroupWeights {
  public:
   static constexpr std::uint32_t kOne = std::uint32_t{1} << 20;
 
   /// Every weight 1.
-  explicit RunWeights(Index num_correspondences);
+  explicit BinGroupWeights(Index num_correspondences);
 
   /// @param weight  weight(i, scale), in [0, 1], that does not fall as the scale grows; the one at
-  ///   the end of a run bounds the others. Memory at most 32 N values of 4 bytes.
-  RunWeights(Index num_correspondences, const ScaleBins& bins,
-             const std::function<double(Index i, double scale)>& weight);
+  ///   the end of a group bounds the others. Memory at most 32 N values of 4 bytes.
+  BinGroupWeights(Index num_correspondences, const ScaleBins& bins,
+                  const std::function<double(Index i, double scale)>& weight);
 
-  bool all_one() const { return shift_ == kOneRun; }
-  Index run_of(Index bin) const { return bin >> shift_; }
-  Index first_of_run(Index run) const { return run << shift_; }
+  bool all_one() const { return shift_ == kOneGroup; }
+  Index group_of(Index bin) const { return bin >> shift_; }
+  Index first_of_group(Index group) const { return group << shift_; }
 
-  /// Weights of all correspondences in a run.
-  const std::uint32_t* run(Index run) const { return weights_.data() + run * num_correspondences_; }
+  /// Weights of all correspondences in a group.
+  const std::uint32_t* group(Index group) const {
+    return weights_.data() + group * num_correspondences_;
+  }
 
  private:
-  static constexpr int kOneRun = 16;  // no bin has a number as large as 2^16
+  static constexpr int kOneGroup = 16;  // no bin has a number as large as 2^16
 
   Index num_correspondences_ = 0;
-  int shift_ = kOneRun;
+  int shift_ = kOneGroup;
   std::vector<std::uint32_t> weights_;
 };
 
@@ -61,7 +63,7 @@ struct ScaleVotes {
 ///   too, and `pairs_of_chunks` is empty.
 /// Cost O(N^2 + N bins), memory O(bins log N) a thread and O(bins N / 64).
 ScaleVotes count_scale_votes(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                             const RunWeights& weights, std::size_t max_bytes, int num_threads,
+                             const BinGroupWeights& weights, std::size_t max_bytes, int num_threads,
                              const parallel::Deadline& deadline = parallel::Deadline::never());
 
 }  // namespace gmcr::search

@@ -19,8 +19,8 @@ double most_reached(const std::vector<T>& amounts, std::size_t num_bins, std::si
   std::uint64_t sum = 0;
   for (std::size_t level = amounts.size() / num_bins; level-- > 0;) {
     sum += amounts[level * num_bins + bin];
-    most = std::max(
-        most, std::min(static_cast<double>(Levels::top(level)), static_cast<double>(sum) / unit));
+    most = std::max(most, std::min(static_cast<double>(LogLevels::top(level)),
+                                   static_cast<double>(sum) / unit));
   }
   return most;
 }
@@ -35,7 +35,7 @@ VoteTally::VoteTally(Index num_bins, bool weighted)
 
 std::size_t VoteTally::bytes_required(Index num_correspondences, Index num_bins, bool weighted) {
   const std::size_t num_levels =
-      Levels::of(static_cast<std::uint64_t>(num_correspondences) + 1) + 1;
+      LogLevels::of(static_cast<std::uint64_t>(num_correspondences) + 1) + 1;
   const std::size_t counts = 2 * num_levels * static_cast<std::size_t>(num_bins);  // as they grow
   return counts * (sizeof(std::uint32_t) + (weighted ? sizeof(std::uint64_t) : 0));
 }
@@ -64,9 +64,9 @@ void VoteTally::read(Index bin, ScaleVotes& votes) const {
     votes.max_evidence[b] = votes.max_members[b];
     return;
   }
-  votes.evidence[b] = static_cast<double>(product_[b]) / (2.0 * RunWeights::kOne);
+  votes.evidence[b] = static_cast<double>(product_[b]) / (2.0 * BinGroupWeights::kOne);
   votes.max_evidence[b] =
-      std::min(votes.max_members[b], most_reached(evidence_, num_bins_, b, RunWeights::kOne));
+      std::min(votes.max_members[b], most_reached(evidence_, num_bins_, b, BinGroupWeights::kOne));
 }
 
 }  // namespace gmcr::search

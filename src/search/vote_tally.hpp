@@ -8,8 +8,8 @@
 
 namespace gmcr::search {
 
-/// Levels of a number >= 1: of their own up to 127, then 64 for each doubling.
-struct Levels {
+/// LogLevels of a number >= 1: of their own up to 127, then 64 for each doubling.
+struct LogLevels {
   static std::size_t of(std::uint64_t number) {
     if (number < 128) return number;
     const int shift = std::bit_width(number) - 7;
@@ -38,14 +38,15 @@ class VoteTally {
   void add(Index bin, std::uint64_t pairs, std::uint64_t others, std::uint64_t own) {
     const auto b = static_cast<std::size_t>(bin);
     pairs_[b] += pairs;
-    const std::size_t level = Levels::of(pairs + 1);
+    const std::size_t level = LogLevels::of(pairs + 1);
     if (level >= num_levels_) grow(level + 1);
     ++members_[level * num_bins_ + b];
     if (!weighted_) return;
-    product_[b] += (others * own + RunWeights::kOne - 1) / RunWeights::kOne;
+    product_[b] += (others * own + BinGroupWeights::kOne - 1) / BinGroupWeights::kOne;
     // weights are at most 1, so this level is no higher
-    const std::uint64_t together = (others + own + RunWeights::kOne - 1) / RunWeights::kOne;
-    evidence_[Levels::of(together) * num_bins_ + b] += own;
+    const std::uint64_t together =
+        (others + own + BinGroupWeights::kOne - 1) / BinGroupWeights::kOne;
+    evidence_[LogLevels::of(together) * num_bins_ + b] += own;
   }
 
   void add(const VoteTally& other);

@@ -17,13 +17,13 @@ std::size_t max_bytes(PoseSearch& search) {
 ScaleVotes count_votes(PoseSearch& search, const ScaleBins& bins) {
   const StageTimer timer(search.run(), "scale_votes");
   const Index n = search.problem().arrays().size();
-  const RunWeights weights =
+  const BinGroupWeights weights =
       search.problem().objective().is_weighted()
-          ? RunWeights(n, bins,
-                       [&](Index i, double scale) {
-                         return search.problem().objective().weight(i, scale);
-                       })
-          : RunWeights(n);
+          ? BinGroupWeights(n, bins,
+                            [&](Index i, double scale) {
+                              return search.problem().objective().weight(i, scale);
+                            })
+          : BinGroupWeights(n);
   return count_scale_votes(search.problem().arrays(), bins, weights, max_bytes(search),
                            search.run().options().num_threads, search.run().deadline());
 }
@@ -36,7 +36,7 @@ bool is_open(PoseSearch& search, const PerMeasure& bounds) {
 }  // namespace
 
 VotedBins::VotedBins(PoseSearch& search)
-    : bins_(search.problem().scales(), kBinRatio, search.problem().octaves()),
+    : bins_(search.problem().scales(), kBinRatio, search.problem().buckets()),
       votes_(count_votes(search, bins_)),
       num_pairs_(search.problem().arrays().size() * (search.problem().arrays().size() - 1) / 2) {}
 

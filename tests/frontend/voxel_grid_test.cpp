@@ -1,5 +1,3 @@
-#include "frontend/voxel_grid.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "frontend/shapes.hpp"
+#include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
 namespace {

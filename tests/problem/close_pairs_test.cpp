@@ -16,7 +16,7 @@ using Pairs = std::multiset<std::pair<Index, Index>>;
 
 Pairs near_pairs(const Points& points, const Eigen::ArrayXd& reaches) {
   Pairs pairs;
-  EXPECT_TRUE(for_each_near_pair(points, reaches, [&](Index i, Index j, double reach) {
+  EXPECT_TRUE(for_each_close_pair(points, reaches, [&](Index i, Index j, double reach) {
     EXPECT_EQ(reach, reaches[i] + reaches[j]);
     pairs.emplace(std::min(i, j), std::max(i, j));
     return true;
@@ -69,8 +69,8 @@ TEST(NearPairs, OnTheBordersOfTheirCellsAreNotLost) {
 
 TEST(NearPairs, EndWhereTheVisitorSaysSo) {
   int visits = 0;
-  EXPECT_FALSE(for_each_near_pair(Points::Zero(3, 100), Eigen::ArrayXd::Ones(100),
-                                  [&](Index, Index, double) { return ++visits < 7; }));
+  EXPECT_FALSE(for_each_close_pair(Points::Zero(3, 100), Eigen::ArrayXd::Ones(100),
+                                   [&](Index, Index, double) { return ++visits < 7; }));
   EXPECT_EQ(visits, 7);
 }
 

@@ -10,11 +10,11 @@ namespace gmcr::problem {
 namespace {
 
 constexpr std::size_t kEnough = 1 << 20;
-const Octaves kOctaves(1.1);
+const ScaleBuckets kBuckets(1.1);
 
 Eigen::ArrayXd weights_of(const Correspondences& correspondences, double scale) {
   const DistinctEvidence evidence(correspondences.source, correspondences.target,
-                                  correspondences.bounds, kEnough, kOctaves);
+                                  correspondences.bounds, kEnough, kBuckets);
   Eigen::ArrayXd weights(correspondences.size());
   for (Index i = 0; i < weights.size(); ++i) weights[i] = evidence.weight(i, scale);
   return weights;
@@ -30,9 +30,9 @@ TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
     for (Index i = 0; i < 80; ++i) {
       int partners = 0;
       for (Index j = 0; j < 80; ++j) {
-        const double bound = DistinctEvidence::kReach * (c.bounds[i] + c.bounds[j]);
+        const double bound = DistinctEvidence::kCopyRadius * (c.bounds[i] + c.bounds[j]);
         partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
-                    kOctaves.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
+                    kBuckets.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
       }
       EXPECT_EQ(weights[i], 1.0 / (1 + partners));
     }
@@ -52,10 +52,10 @@ TEST(DistinctEvidence, OfACopiedCorrespondenceIsSharedByTheCopies) {
 
 TEST(DistinctEvidence, SaysWhenItsMemoryDoesNotSufficeAndThenCounts) {
   const Correspondences c{Points::Zero(3, 50), Points::Zero(3, 50), Eigen::ArrayXd::Ones(50)};
-  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 50 * 49 * sizeof(double), kOctaves)
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 50 * 49 * sizeof(double), kBuckets)
                   .complete());
   const DistinctEvidence evidence(c.source, c.target, c.bounds, 50 * 49 * sizeof(double) - 1,
-                                  kOctaves);
+                                  kBuckets);
   EXPECT_FALSE(evidence.complete());
   EXPECT_EQ(evidence.weight(0, 1), 1);
 }
@@ -64,11 +64,11 @@ TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
   testing::RandomGeometry random(3);
   Correspondences c{random.in_cube(200), random.in_cube(200), Eigen::ArrayXd(200)};
   for (double& bound : c.bounds) bound = random.uniform(0.001, 0.15);
-  const DistinctEvidence all(c.source, c.target, c.bounds, kEnough, kOctaves),
-      some(c.source, c.target, c.bounds, kEnough, kOctaves, {0.5, 2});
+  const DistinctEvidence all(c.source, c.target, c.bounds, kEnough, kBuckets),
+      some(c.source, c.target, c.bounds, kEnough, kBuckets, {0.5, 2});
   for (const double scale : {0.5, 0.7, 0.71, 1.0, 1.3, 2.0}) {
-    const DistinctEvidence known(c.source, c.target, c.bounds, kEnough, kOctaves, {scale, scale});
-    EXPECT_TRUE(known.has_partners());
+    const DistinctEvidence known(c.source, c.target, c.bounds, kEnough, kBuckets, {scale, scale});
+    EXPECT_TRUE(known.has_copies());
     for (Index i = 0; i < 200; ++i) {
       EXPECT_EQ(known.weight(i, scale), all.weight(i, scale));
       EXPECT_EQ(some.weight(i, scale), all.weight(i, scale));
@@ -80,9 +80,9 @@ TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
   testing::RandomGeometry random(5);
   const Correspondences c{random.in_cube(100), random.in_cube(100),
                           Eigen::ArrayXd::Constant(100, 0.1)};
-  EXPECT_FALSE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.8, 1.5})
+  EXPECT_FALSE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kBuckets, {0.8, 1.5})
                    .depends_on_scale());
-  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.8, 1.6})
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, kEnough, kBuckets, {0.8, 1.6})
                   .depends_on_scale());
 }
 
@@ -91,22 +91,22 @@ TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
   const Correspondences c{random.in_cube(50), random.in_cube(50),
                           Eigen::ArrayXd::Constant(50, 0.1)};
   EXPECT_TRUE(
-      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {0.1, 0.1}).has_partners());
+      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kBuckets, {0.1, 0.1}).has_copies());
   EXPECT_FALSE(
-      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kOctaves, {1e6, 1e6}).has_partners());
+      DistinctEvidence(c.source, c.target, c.bounds, kEnough, kBuckets, {1e6, 1e6}).has_copies());
 }
 
 TEST(DistinctEvidence, OfOneHugeClusterEndsWithItsMemory) {
   const Correspondences c{Points::Zero(3, 20'000), Points::Zero(3, 20'000),
                           Eigen::ArrayXd::Ones(20'000)};
-  const DistinctEvidence evidence(c.source, c.target, c.bounds, kEnough, kOctaves, {1, 1});
+  const DistinctEvidence evidence(c.source, c.target, c.bounds, kEnough, kBuckets, {1, 1});
   EXPECT_FALSE(evidence.complete());
-  EXPECT_FALSE(evidence.has_partners());
+  EXPECT_FALSE(evidence.has_copies());
 }
 
 TEST(DistinctEvidence, OfNothingIsComplete) {
   const Correspondences c{Points(3, 0), Points(3, 0), Eigen::ArrayXd(0)};
-  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 0, kOctaves).complete());
+  EXPECT_TRUE(DistinctEvidence(c.source, c.target, c.bounds, 0, kBuckets).complete());
 }
 
 }  // namespace

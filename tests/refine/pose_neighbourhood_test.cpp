@@ -10,7 +10,7 @@ namespace {
 using testing::BuiltProblem;
 using testing::options_with;
 
-TEST(NearSet, ScoresAPoseAsTheObjectiveDoes) {
+TEST(PoseNeighbourhood, ScoresAPoseAsTheObjectiveDoes) {
   const auto matches = testing::random_problem(1, 30, 71);
   for (const ScaleMode mode : {ScaleMode::Known, ScaleMode::Estimated}) {
     for (const Evidence evidence : {Evidence::Distinct, Evidence::Count}) {
@@ -19,7 +19,7 @@ TEST(NearSet, ScoresAPoseAsTheObjectiveDoes) {
       options.scale_range = ScaleRange{0.5, 2};
       const BuiltProblem built(matches, options);
       problem::CentredPose moved = built.centred(matches.truth);
-      const NearSet near(built.problem, moved, 3);
+      const PoseNeighbourhood near(built.problem, moved, 3);
       moved.similarity.translation.x() += 0.005;
       const problem::Hypothesis judged = built.objective().judge(moved);
       const Eigen::ArrayXd squares = near.relative_squares(moved);
@@ -31,11 +31,11 @@ TEST(NearSet, ScoresAPoseAsTheObjectiveDoes) {
   }
 }
 
-TEST(NearSet, FitsOnlyThoseWithinTheFactor) {
+TEST(PoseNeighbourhood, FitsOnlyThoseWithinTheFactor) {
   const auto matches = testing::random_problem(2, 30, 70);
   const BuiltProblem built(matches, options_with(Evidence::Count));
   const problem::CentredPose truth = built.centred(matches.truth);
-  const NearSet near(built.problem, truth, 3);
+  const PoseNeighbourhood near(built.problem, truth, 3);
   const Eigen::ArrayXd squares = near.relative_squares(truth);
   EXPECT_TRUE(near.fit(squares, 1));
   EXPECT_FALSE(near.fit(squares, 1e-9));

@@ -22,7 +22,7 @@ struct Problem {
     testing::RandomGeometry random(4);
     const Points source = random.in_cube(n), target = random.in_cube(n, 1.0);
     arrays = problem::consistency_arrays({source, target, Eigen::ArrayXd::Constant(n, bound)}, 20);
-    votes = count_scale_votes(arrays, bins, RunWeights(n), kManyBytes, 1);
+    votes = count_scale_votes(arrays, bins, BinGroupWeights(n), kManyBytes, 1);
   }
 
   BinnedPairs list(const std::vector<Index>& wanted, int num_threads = 1) const {

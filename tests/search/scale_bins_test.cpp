@@ -30,11 +30,11 @@ TEST(ScaleBins, CoverTheRangeWithoutGaps) {
 
 TEST(ScaleBins, HoldNoTwoOctaves) {
   for (const ScaleRange& range : {ScaleRange{0.3, 7}, {1, 1.05}, {1.4, 1.42}, {1e-9, 1e9}}) {
-    const ScaleBins bins(range, 1.02, problem::Octaves(0.8));
+    const ScaleBins bins(range, 1.02, problem::ScaleBuckets(0.8));
     for (Index bin = 0; bin < bins.size(); ++bin) {
       const double above = bins[bin].min * (1 + 1e-13);
-      EXPECT_EQ(problem::Octaves(0.8).centre_of(above),
-                problem::Octaves(0.8).centre_of(bins[bin].max));
+      EXPECT_EQ(problem::ScaleBuckets(0.8).centre_of(above),
+                problem::ScaleBuckets(0.8).centre_of(bins[bin].max));
     }
   }
 }
@@ -48,7 +48,7 @@ TEST(ScaleBins, OfOneScaleAreOneBin) {
 
 TEST(ScaleBins, NameTheBinOfEachScaleInTheirTable) {
   for (const ScaleRange& range : {ScaleRange{0.3, 7}, {1, 1.05}, {1, 1.001}, {0.999, 1.001}}) {
-    const ScaleBins bins(range, 1.02, problem::Octaves(0.8));
+    const ScaleBins bins(range, 1.02, problem::ScaleBuckets(0.8));
     for (int k = 0; k <= 1000; ++k) {
       const double scale = range.min + (range.max - range.min) * k / 1000.0;
       const kernels::BinSpan span = kernels::covered_bins(bins.cells(), scale, scale, 0);

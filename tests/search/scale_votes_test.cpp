@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kManyBytes = std::size_t{1} << 30;
 
 ScaleVotes votes_of(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
-                    const RunWeights& weights, int num_threads = 1) {
+                    const BinGroupWeights& weights, int num_threads = 1) {
   return count_scale_votes(arrays, bins, weights, kManyBytes, num_threads);
 }
 
@@ -36,7 +36,7 @@ TEST(ScaleVotes, CountTheEdgesOfEachBinsGraph) {
   const Index n = 150;
   const auto arrays = random_arrays(2, n, 0.01);
   const ScaleBins bins({0.05, 50}, 1.3);
-  const ScaleVotes votes = votes_of(arrays, bins, RunWeights(n));
+  const ScaleVotes votes = votes_of(arrays, bins, BinGroupWeights(n));
   for (Index bin = 0; bin < bins.size(); ++bin) {
     const Index edges = problem::consistency_graph(arrays, bins[bin], 1).num_edges();
     const Index pairs = votes.pairs[static_cast<std::size_t>(bin)];
@@ -56,7 +56,7 @@ TEST(ScaleVotes, BoundTheMembersByTheDegreesOfEachBinsGraph) {
   const Index n = 150;
   const auto arrays = random_arrays(3, n, 0.04);
   const ScaleBins bins({0.05, 50}, 1.1);
-  const ScaleVotes votes = votes_of(arrays, bins, RunWeights(n));
+  const ScaleVotes votes = votes_of(arrays, bins, BinGroupWeights(n));
   for (Index bin = 0; bin < bins.size(); ++bin) {
     const BitsetGraph graph = problem::consistency_graph(arrays, bins[bin], 1);
     std::vector<Index> degrees;
@@ -79,15 +79,15 @@ TEST(ScaleVotes, BoundTheEvidenceOfEachBinsGraphWhereWeightsGrowWithTheScale) {
   const auto weight = [&](Index i, double scale) {
     return std::min(1.0, (0.1 + scale / 50) / static_cast<double>(1 + i % 3));
   };
-  const RunWeights run_weights(n, bins, weight);
-  ASSERT_GT(run_weights.run_of(bins.size() - 1), 3);
+  const BinGroupWeights run_weights(n, bins, weight);
+  ASSERT_GT(run_weights.group_of(bins.size() - 1), 3);
   const ScaleVotes votes = votes_of(arrays, bins, run_weights);
   for (Index bin = 0; bin < bins.size(); ++bin) {
     const BitsetGraph graph = problem::consistency_graph(arrays, bins[bin], 1);
     std::vector<double> weights;
-    const std::uint32_t* of_run = run_weights.run(run_weights.run_of(bin));
+    const std::uint32_t* of_run = run_weights.run(run_weights.group_of(bin));
     for (Index i = 0; i < n; ++i) {
-      weights.push_back(static_cast<double>(of_run[i]) / RunWeights::kOne);
+      weights.push_back(static_cast<double>(of_run[i]) / BinGroupWeights::kOne);
       EXPECT_GE(weights.back(), weight(i, bins[bin].max));
     }
     double evidence = 0, heaviest = 0;
@@ -125,7 +125,7 @@ TEST(ScaleVotes, WeighAPairByBothWeights) {
   c.source(0, 1) = 1;
   c.target(0, 1) = 2;
   const ScaleBins bins({1, 4}, 1.1);
-  const RunWeights weights(2, bins, [](Index i, double) { return i == 0 ? 0.5 : 0.25; });
+  const BinGroupWeights weights(2, bins, [](Index i, double) { return i == 0 ? 0.5 : 0.25; });
   const ScaleVotes votes = votes_of(problem::consistency_arrays(c, 4), bins, weights);
   EXPECT_EQ(*std::max_element(votes.evidence.begin(), votes.evidence.end()), 0.125);
   EXPECT_EQ(*std::min_element(votes.evidence.begin(), votes.evidence.end()), 0);
@@ -135,8 +135,8 @@ TEST(ScaleVotes, AreTheSameForAnyNumberOfThreads) {
   const Index n = 600;
   const auto arrays = random_arrays(3, n, 0.05);
   const ScaleBins bins({0.05, 50}, 1.02);
-  const RunWeights weights(n, bins,
-                           [](Index i, double) { return 1.0 / static_cast<double>(i + 1); });
+  const BinGroupWeights weights(n, bins,
+                                [](Index i, double) { return 1.0 / static_cast<double>(i + 1); });
   const ScaleVotes one = votes_of(arrays, bins, weights, 1);
   for (const std::size_t max_bytes : {kManyBytes, std::size_t{1}}) {
     const ScaleVotes four = count_scale_votes(arrays, bins, weights, max_bytes, 4);
@@ -153,7 +153,7 @@ TEST(ScaleVotes, BoundByAllPairsWhereTimeIsUp) {
   const auto arrays = random_arrays(3, n, 0.05);
   const ScaleBins bins({0.05, 50}, 1.02);
   const ScaleVotes votes =
-      count_scale_votes(arrays, bins, RunWeights(n), kManyBytes, 1, parallel::Deadline(0));
+      count_scale_votes(arrays, bins, BinGroupWeights(n), kManyBytes, 1, parallel::Deadline(0));
   EXPECT_EQ(votes.pairs, std::vector<Index>(static_cast<std::size_t>(bins.size()), 190));
   EXPECT_EQ(at(votes.max_members, 3), 20);
   EXPECT_EQ(at(votes.max_evidence, 3), 20);
@@ -164,18 +164,18 @@ TEST(ScaleVotes, BoundByAllPairsWhereTimeIsUp) {
 TEST(ScaleVotes, OfNoCorrespondencesAreNone) {
   const geometry::CorrespondenceArrays arrays{Eigen::MatrixX3d(0, 3), Eigen::MatrixX3d(0, 3), {}};
   const ScaleBins bins({1, 4}, 1.1);
-  const ScaleVotes votes = votes_of(arrays, bins, RunWeights(0));
+  const ScaleVotes votes = votes_of(arrays, bins, BinGroupWeights(0));
   EXPECT_EQ(votes.pairs, std::vector<Index>(static_cast<std::size_t>(bins.size())));
   EXPECT_EQ(at(votes.max_members, 0), 0);
 }
 
-TEST(Levels, HoldEachNumberAndNoneAboveTheirTop) {
+TEST(LogLevels, HoldEachNumberAndNoneAboveTheirTop) {
   for (std::uint64_t number = 1; number < 100'000; ++number) {
-    const std::size_t level = Levels::of(number);
-    EXPECT_GE(Levels::top(level), number);
-    EXPECT_LE(static_cast<double>(Levels::top(level)),
+    const std::size_t level = LogLevels::of(number);
+    EXPECT_GE(LogLevels::top(level), number);
+    EXPECT_LE(static_cast<double>(LogLevels::top(level)),
               static_cast<double>(number) * (1 + 1 / 64.0));
-    EXPECT_LT(Levels::top(level - 1), number);
+    EXPECT_LT(LogLevels::top(level - 1), number);
   }
 }
 

@@ -18,11 +18,11 @@ int threads_for(RowsView graph, int num_threads) {
 std::vector<Index> degrees_of(RowsView graph, int num_threads) {
   std::vector<Index> degree(graph.num_vertices);
   parallel::parallel_for(graph.num_vertices, 4 * kBitsPerWord, threads_for(graph, num_threads),
-               [&](Index begin, Index end) {
-                 for (Index v = begin; v < end; ++v) {
-                   degree[v] = kernels::count_bits(graph.row(v), graph.words_per_row);
-                 }
-               });
+                         [&](Index begin, Index end) {
+                           for (Index v = begin; v < end; ++v) {
+                             degree[v] = kernels::count_bits(graph.row(v), graph.words_per_row);
+                           }
+                         });
   return degree;
 }
 

@@ -61,7 +61,7 @@ Index RootSearch::run() {
 bool RootSearch::fill(std::size_t num_active) {
   if (incumbent_.to_beat() > known_size_) {
     known_size_ = incumbent_.to_beat();
-    drop_hopeless(alive_);
+    drop_light(alive_);
   }
   std::vector<Word> candidates(graph_.words_per_row);
   while (active_.size() < num_active && !branches_.empty()) {
@@ -144,11 +144,11 @@ std::vector<Branch> RootSearch::branches_by_colouring() {
 kernels::AlignedWords RootSearch::hopeful_vertices() const {
   kernels::AlignedWords vertices(graph_.words_per_row, 0);
   set_first_bits(vertices.data(), graph_.num_vertices);
-  drop_hopeless(vertices);
+  drop_light(vertices);
   return vertices;
 }
 
-void RootSearch::drop_hopeless(std::span<Word> vertices) const {
+void RootSearch::drop_light(std::span<Word> vertices) const {
   for (Index v = 0; v < graph_.num_vertices; ++v) {
     if (core_[v] < incumbent_.to_beat()) clear_bit(vertices.data(), v);
   }

@@ -41,7 +41,7 @@ class RootSearch {
   std::vector<Branch> choose_branches();
   std::vector<Branch> branches_by_colouring();
   kernels::AlignedWords hopeful_vertices() const;
-  void drop_hopeless(std::span<Word> vertices) const;
+  void drop_light(std::span<Word> vertices) const;
   bool fill(std::size_t num_active);
   void advance_all(int num_threads);
   void improve_clique();

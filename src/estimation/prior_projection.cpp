@@ -1,4 +1,4 @@
-#include "estimation/admitted.hpp"
+#include "estimation/prior_projection.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
