@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "clique/graph/degeneracy.hpp"
+#include "clique/clique.hpp"
+#include "consensus/consistency_graph.hpp"
+#include "consensus/mirror.hpp"
 #include "gmcr/registration.hpp"
 #include "micro/themes.hpp"
 #include "problem/consistency_graph.hpp"
@@ -41,7 +43,7 @@ void time_mirror(benchmark::State& state) {
 
 void time_degeneracy(benchmark::State& state) {
   const BitsetGraph graph = graph_of(random_correspondences(state.range(0), kRate));
-  for (auto _ : state) benchmark::DoNotOptimize(degeneracy_order(graph).degeneracy);
+  for (auto _ : state) benchmark::DoNotOptimize(clique::core_order(graph).data());
   count_pairs(state, pairs_of(state.range(0)), bytes_of(graph));
 }
 

@@ -98,7 +98,7 @@ RC_GTEST_PROP(BranchSelector, LeavesNoLargeCliqueOutsideItsBranches, ()) {
   SearchBudget budget(1e9, 0);
   const PackedGraph packed = test::packed(graph);
   selector.reset(packed);
-  AlignedWords all(packed.words_per_row(), 0);
+  kernels::AlignedWords all(packed.words_per_row(), 0);
   for (Index v = 0; v < graph.num_vertices(); ++v) set_bit(all.data(), v);
   std::vector<Branch> branches;
   const bool is_clique = selector.select(all.data(), max_pruned, budget, branches);
