@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "clique/clique.hpp"
-#include "consensus/consistency_graph.hpp"
-#include "consensus/mirror.hpp"
 #include "gmcr/registration.hpp"
 #include "micro/themes.hpp"
 #include "problem/consistency_graph.hpp"
