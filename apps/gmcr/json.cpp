@@ -1,5 +1,6 @@
 #include "json.hpp"
 
+#include "gmcr/types.hpp"
 #include "json_text.hpp"
 
 namespace gmcr::cli {

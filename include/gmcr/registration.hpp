@@ -13,7 +13,7 @@ namespace gmcr {
 /// Transform that most of the putative correspondences source.col(i) -> target.col(i) agree with.
 ///
 /// Maximises the evidence of { i : |target_i - (s R source_i + t)| <= noise_bound_i }
-/// (Gentner et al. 2023, eq:pcr_maxcon) by consistency graphs and maximum cliques, and bounds from
+/// (Gentner et al. 2023, Eq. (2)) by consistency graphs and maximum cliques, and bounds from
 /// above how many inliers any transform can have.
 /// @param source, target  3 x N, the same N, metres, finite.
 /// @return status, transform, inliers, certificate and diagnostics.
