@@ -18,18 +18,18 @@ Eigen::Matrix3d turn(double degrees, const Eigen::Vector3d& axis) {
 void use_gravity(Options& options, const Problem& problem) {
   const Eigen::Vector3d up(0.3, -0.2, 1);
   const Eigen::Vector3d tilted = turn(1, {1, 2, -1}) * problem.truth.rotation * up;
-  options.priors.gravity = GravityPrior{up, tilted, 3 * kRadians};
+  options.gravity = GravityPrior{up, tilted, 3 * kRadians};
 }
 
 void use_max_translation(Options& options, const Problem& problem) {
-  options.priors.max_translation = 1.1 * problem.truth.translation.norm() + problem.noise_bound;
+  options.max_translation = 1.1 * problem.truth.translation.norm() + problem.noise_bound;
 }
 
 void use_initial_pose(Options& options, const Problem& problem) {
   Similarity guess = problem.truth;
   guess.rotation = turn(8, {-1, 1, 3}) * guess.rotation;
   guess.translation += 10 * problem.noise_bound * Eigen::Vector3d(1, -1, 0.5);
-  options.priors.initial_pose = InitialPose{guess, 15 * kRadians, 30 * problem.noise_bound};
+  options.initial_pose = InitialPose{guess, 15 * kRadians, 30 * problem.noise_bound};
 }
 
 void use_all_priors(Options& options, const Problem& problem) {
@@ -218,7 +218,6 @@ std::vector<FrontendVariant> frontend_variants(double voxel_size) {
   vary("one-sided", [](FrontendOptions& o) {
     o.mutual = false;
     o.max_ratio = 0.9;
-    o.one_to_one = true;
     o.max_attempts = 2;
   });
   vary("wide", [](FrontendOptions& o) {
@@ -233,8 +232,8 @@ std::vector<FrontendVariant> frontend_variants(double voxel_size) {
 InstanceOptions instance_options(int max_instances, Index min_inliers, double min_share) {
   InstanceOptions options;
   options.max_instances = max_instances;
-  options.min_inliers = min_inliers;
-  options.min_share = min_share;
+  options.min_instance_inliers = min_inliers;
+  options.min_instance_share = min_share;
   return options;
 }
 
