@@ -13,7 +13,8 @@ struct Pair {
   Index first = 0, second = 0;
 };
 
-/// Translation invariant measurements (Eq. (4)): differences of point pairs.
+/// Translation invariant measurements, Eq. (4): differences of point pairs, which decouple scale
+/// and rotation from the translation.
 struct Tims {
   std::vector<Pair> pairs;
   Points source, target;  ///< 3 x K: abar_k = a_second - a_first, bbar_k likewise, metres
@@ -37,7 +38,8 @@ std::vector<Pair> all_pairs(Index num_correspondences);
 /// Largest m with m (m - 1) / 2 <= num_pairs: m inliers need that many agreeing pairs (L5).
 Index max_members(Index num_pairs);
 
-/// Scale invariant measurements of the TIMs (Eq. (9)) and their intervals (L1).
+/// Scale measurements of the TIMs, Eq. (9): ratios of lengths, which decouple the scale from the
+/// rotation; and their intervals (L1).
 struct ScaleMeasurements {
   Eigen::ArrayXd scale;         ///< s_k = |bbar_k| / |abar_k|; infinite where abar_k = 0
   Eigen::ArrayXd alpha;         ///< alpha_k = eps_k / |abar_k|; infinite where abar_k = 0

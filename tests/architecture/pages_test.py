@@ -226,7 +226,7 @@ CLEAN = {
     "src/b/b.cpp": "",
     "src/c/c.cpp": "",
     "tests/architecture/check_places.cmake": "only_from(b d c)\nonly_from(c -)\n",
-    "src/a.cpp": "// L1, Eq. (1), eq:one, and Eq.\n// (1) and (2): a = b, from the L2 cache\nint f();\n",
+    "src/a.cpp": "// L1, Eq. (1), eq:one, and Eq.\n// (1) and (2): from the L2 cache\nint f();\n",
     "tests/a_test.cpp": "TEST(A, Works) {}\n",
 }
 

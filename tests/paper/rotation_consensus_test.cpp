@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -55,6 +56,23 @@ TEST(RotationCones, OfAVectorWithinItsBoundSayNothing) {
   const RotationCones cones =
       rotation_cones(tims_of(Points::Zero(3, 1), Points::Constant(3, 1, 0.01), 1), 1);
   EXPECT_EQ(cones.directions.cos_gamma[0], -1);
+}
+
+TEST(RotationCones, OfCopiesAreAtLeastSixtyDegreesAtEveryScaleBelow) {
+  // L6: |bbar| <= eps and s |abar| <= eps
+  testing::RandomGeometry random(5);
+  double widest = -1;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Tims tims = tims_of(random.unit() * random.uniform(0.01, 1),
+                              random.unit() * random.uniform(0.01, 1), 1);
+    for (const double scale : {1.0, 0.5, 1e-3}) {
+      const RotationCones cones = rotation_cones(tims, scale);
+      ASSERT_EQ(cones.tims.size(), 1u);
+      widest = std::max(widest, cones.directions.cos_gamma[0]);
+    }
+  }
+  EXPECT_LE(widest, 0.5);
+  EXPECT_GT(widest, 0.4);
 }
 
 /// Smallest excess of the two cones' conditions over a fine search of rotations; <= 0: they share
