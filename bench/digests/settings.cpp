@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
