@@ -18,7 +18,7 @@ namespace gmcr::search {
 /// the
 ///   stages.
 /// @return nullopt where the clique has fewer than 3 vertices, leads to no admitted pose, or leads
-///   to a exhausted incumbent.
+///   to an exhausted incumbent.
 std::optional<problem::Hypothesis> pose_from_clique(const problem::Problem& problem,
                                                     problem::Run& run,
                                                     const std::vector<Index>& clique,
