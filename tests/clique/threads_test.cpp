@@ -8,6 +8,7 @@
 
 #include "clique/arbitrary.hpp"
 #include "clique/graph/core_filter.hpp"
+#include "clique/graph/degrees.hpp"
 #include "clique/graphs.hpp"
 #include "clique/oracles.hpp"
 #include "clique/weights.hpp"
