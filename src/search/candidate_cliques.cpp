@@ -62,6 +62,7 @@ std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGra
   const std::vector<double> all_weights =
       weights_of(search.problem(), Measure::Evidence, range.scales);
   std::vector<double> weights;
+  weights.reserve(vertices.size());
   for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
   std::vector<std::vector<Index>> cliques{
       search.run()
