@@ -43,8 +43,10 @@ def rows_of_page() -> list[Row]:
 
 
 def _close(field: dict[str, Any]) -> None:
-    for inner in (*field.get("properties", {}).values(), field.get("items", {})):
+    for inner in field.get("properties", {}).values():
         _close(inner)
+    if "items" in field:
+        _close(field["items"])
     is_object = any(key in field for key in ("properties", "allOf", "$ref"))
     if is_object and "additionalProperties" not in field:
         field["unevaluatedProperties"] = False
