@@ -91,7 +91,10 @@ ExitCode run(const Arguments& arguments) {
   }
   Report report;
   report.line("written", arguments.matches);
-  report.line("inliers", share(static_cast<Index>(inliers.size()), problem.source.cols()));
+  const double percent = 100.0 * static_cast<double>(inliers.size()) /
+                         static_cast<double>(std::max<Index>(1, problem.source.cols()));
+  report.line("inliers",
+              fmt::format("{} of {} ({:.1f} %)", inliers.size(), problem.source.cols(), percent));
   report.line("noise bound", fmt::format("{:.6g}", problem.noise_bound));
   report.line(
       "solve it",
