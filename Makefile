@@ -1,7 +1,8 @@
 # The user's entry points. Each does the set-up that it needs and is quick when nothing changed.
-# The compiler cache serves the package and the release build alike.
+# The compiler cache serves the package and the release build alike, and any clone, precompiled headers too.
 export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
+export CCACHE_SLOPPINESS := pch_defines,time_macros,include_file_mtime,include_file_ctime
 
 .PHONY: configure build demo test lint sanitize bench bench-paper clean format
 

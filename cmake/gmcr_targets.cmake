@@ -12,6 +12,19 @@ function(gmcr_target_defaults target)
   endif()
 endfunction()
 
+# gmcr_precompile(TARGET OWNER [headers...]): headers that most files of a program include, parsed once and not in each
+# of them, by the OWNER (then with the headers) for all targets of the same flags. Files include what they use all the
+# same: tools/lint and the sanitizers read them without. Not for the library: the Python package, built in a folder of
+# its own, then could not take its objects from the compiler cache.
+function(gmcr_precompile target owner)
+  if(target STREQUAL owner)
+    target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <functional>
+      <limits> <numeric> <optional> <span> <stdexcept> <string> <utility> <vector> ${ARGN})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  endif()
+endfunction()
+
 # gmcr_module(NAME SOURCES files... [LINK modules...]): a folder of the core as a library of its own, gmcr_NAME. With
 # the tests all of it is linked against the modules named here and nothing else: what is not named is not found.
 function(gmcr_module name)
