@@ -29,10 +29,10 @@ CLI::Option* add_number(CLI::App& command, const About& about, Value& value) {
           ->capture_default_str();
   if constexpr (std::is_unsigned_v<Value>) flag->check(not_negative());
   const std::string metavar = metavar_of(about.unit);
-  if (!metavar.empty()) flag->type_name(metavar);
   if constexpr (std::is_same_v<Value, std::size_t>) {
     if (metavar == "BYTES") flag->transform(CLI::AsSizeValue(false));
   }
+  if (!metavar.empty()) flag->type_name(metavar);  // after the transform, which brings its own
   return flag;
 }
 
