@@ -38,7 +38,7 @@ class Digest {
   unsigned long long hash_ = 0xcbf29ce484222325;
 };
 
-class synthetic::Random {
+class Random {
  public:
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
@@ -54,9 +54,9 @@ class synthetic::Random {
   std::mt19937_64 generator_{7};
 };
 
-geometry::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index count) {
-  geometry::CorrespondenceArrays arrays{random.points(count), random.points(count),
-                                        Eigen::ArrayXd::Constant(count, 0.01)};
+gmcr::geometry::CorrespondenceArrays matched_arrays(Random& random, Index count) {
+  gmcr::geometry::CorrespondenceArrays arrays{random.points(count), random.points(count),
+                                              Eigen::ArrayXd::Constant(count, 0.01)};
   for (Index i = 0; i < count; i += 3) {
     arrays.target.row(i) = arrays.source.row(i);
     arrays.target(i, 0) += random.uniform(-0.01, 0.01);
@@ -64,7 +64,7 @@ geometry::CorrespondenceArrays matched_arrays(synthetic::Random& random, Index c
   return arrays;
 }
 
-void digest_consistency(const char* name, const geometry::CorrespondenceArrays& arrays,
+void digest_consistency(const char* name, const gmcr::geometry::CorrespondenceArrays& arrays,
                         double scale_min, double scale_max) {
   Digest rows, tiles;
   std::vector<std::uint64_t> row(static_cast<std::size_t>((arrays.size() + 63) / 64));
@@ -81,7 +81,7 @@ void digest_consistency(const char* name, const geometry::CorrespondenceArrays& 
   tiles.print((std::string("consistency_tiles ") + name).c_str());
 }
 
-void digest_residuals(synthetic::Random& random, const geometry::CorrespondenceArrays& arrays) {
+void digest_residuals(Random& random, const gmcr::geometry::CorrespondenceArrays& arrays) {
   gmcr::Similarity pose;
   pose.scale = 1.01;
   pose.rotation << 2, -1, 2, 2, 2, -1, -1, 2, 2;
@@ -97,7 +97,7 @@ void digest_residuals(synthetic::Random& random, const geometry::CorrespondenceA
   consensus.print("consensus");
 }
 
-void digest_rotation(synthetic::Random& random, Index count) {
+void digest_rotation(Random& random, Index count) {
   kernels::DirectionArrays arrays{random.points(count), random.points(count), Eigen::ArrayXd(count),
                                   Eigen::ArrayXd(count)};
   for (Index k = 0; k < count; ++k) {
@@ -121,7 +121,7 @@ void digest_rotation(synthetic::Random& random, Index count) {
 }
 
 /// Bins whose edges need no logarithm: the last digit of that is a library's own.
-void digest_scales(const geometry::CorrespondenceArrays& arrays) {
+void digest_scales(const gmcr::geometry::CorrespondenceArrays& arrays) {
   using kernels::ScaleCells;
   const auto cell_of = [](double scale) {
     return std::bit_cast<std::uint64_t>(scale) >> ScaleCells::kShift;
@@ -146,7 +146,7 @@ void digest_scales(const geometry::CorrespondenceArrays& arrays) {
 }
 
 /// A search makes hundreds of choices, in rows of each width that has loops of its own.
-void digest_branches(synthetic::Random& random) {
+void digest_branches(Random& random) {
   for (const Index num_vertices : {120, 400, 700, 1300}) {
     gmcr::BitsetGraph graph(num_vertices);
     for (Index u = 0; u < num_vertices; ++u) {
@@ -166,7 +166,7 @@ void digest_branches(synthetic::Random& random) {
   }
 }
 
-void digest_bits(synthetic::Random& random) {
+void digest_bits(Random& random) {
   Digest rows, blocks, chosen;
   for (Index words = 0; words < 70; ++words) {
     std::vector<std::uint64_t> a(static_cast<std::size_t>(words)), b(a);
@@ -196,7 +196,7 @@ void digest_bits(synthetic::Random& random) {
 }  // namespace
 
 int main() {
-  synthetic::Random random;
+  Random random;
   auto arrays = matched_arrays(random, 700);
   digest_consistency("one scale", arrays, 1, 1);
   digest_consistency("a range", arrays, 0.8, 1.2);
