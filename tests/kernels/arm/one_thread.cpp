@@ -3,7 +3,7 @@
 
 #include "parallel/parallel_for.hpp"
 
-namespace gmcr {
+namespace gmcr::parallel {
 
 int resolve_num_threads(int) { return 1; }
 
@@ -12,4 +12,4 @@ void parallel_for(Index count, Index grain, int,
   for (Index begin = 0; begin < count; begin += grain) body(begin, std::min(count, begin + grain));
 }
 
-}  // namespace gmcr
+}  // namespace gmcr::parallel
