@@ -79,15 +79,15 @@ TEST(ScaleVotes, BoundTheEvidenceOfEachBinsGraphWhereWeightsGrowWithTheScale) {
   const auto weight = [&](Index i, double scale) {
     return std::min(1.0, (0.1 + scale / 50) / static_cast<double>(1 + i % 3));
   };
-  const BinGroupWeights run_weights(n, bins, weight);
-  ASSERT_GT(run_weights.group_of(bins.size() - 1), 3);
-  const ScaleVotes votes = votes_of(arrays, bins, run_weights);
+  const BinGroupWeights group_weights(n, bins, weight);
+  ASSERT_GT(group_weights.group_of(bins.size() - 1), 3);
+  const ScaleVotes votes = votes_of(arrays, bins, group_weights);
   for (Index bin = 0; bin < bins.size(); ++bin) {
     const BitsetGraph graph = problem::consistency_graph(arrays, bins[bin], 1);
     std::vector<double> weights;
-    const std::uint32_t* of_run = run_weights.run(run_weights.group_of(bin));
+    const std::uint32_t* of_group = group_weights.group(group_weights.group_of(bin));
     for (Index i = 0; i < n; ++i) {
-      weights.push_back(static_cast<double>(of_run[i]) / BinGroupWeights::kOne);
+      weights.push_back(static_cast<double>(of_group[i]) / BinGroupWeights::kOne);
       EXPECT_GE(weights.back(), weight(i, bins[bin].max));
     }
     double evidence = 0, heaviest = 0;
