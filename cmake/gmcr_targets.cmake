@@ -14,7 +14,7 @@ endfunction()
 
 # gmcr_precompile(TARGET OWNER [headers...]): headers that most files of a program include, parsed once and not in each
 # of them, by the OWNER (then with the headers) for all targets of the same flags. Files include what they use all the
-# same: tools/lint and the sanitizers read them without. Not for the library: the Python package, built in a folder of
+# same: tools/lint reads them without. Not for the library: the Python package, built in a folder of
 # its own, then could not take its objects from the compiler cache.
 function(gmcr_precompile target owner)
   if(target STREQUAL owner)

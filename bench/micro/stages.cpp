@@ -70,7 +70,7 @@ void time_evidence(benchmark::State& state) {
 void time_judge(benchmark::State& state) {
   const problem::Correspondences correspondences = random_correspondences(state.range(0), kRate);
   const problem::Objective objective(correspondences, Evidence::Distinct, std::size_t{1} << 30);
-  for (auto _ : state) benchmark::DoNotOptimize(objective.judge(Similarity()).evidence);
+  for (auto _ : state) benchmark::DoNotOptimize(objective.judge({Similarity()}).evidence);
   count_pairs(state, static_cast<double>(state.range(0)),
               56.0 * static_cast<double>(state.range(0)));
 }

@@ -102,13 +102,13 @@ TEST_F(AnswerOption, OutOfRangeIsRefusedByItsName) {
   };
   fails("--hypotheses 0", "--hypotheses: 0 is not at least 1");
   fails("--hypotheses 1.5", "--hypotheses");
-  fails("--hypotheses some", "--hypotheses: 'some' is no number");
+  fails("--hypotheses some", "--hypotheses = some");
   fails("--instances 0", "--instances: 0 is not at least 1");
-  fails("--instances all", "--instances: 'all' is no number");
+  fails("--instances all", "--instances = all");
   fails("--instances 2 --min-instance-inliers 2", "--min-instance-inliers: 2 is not at least 3");
-  fails("--instances 2 --min-instance-share 1.1", "--min-instance-share: 1.1 is not between");
-  fails("--min-instance-inliers 9", "--min-instance-inliers requires --instances");
-  fails("--min-instance-share 0.5", "--min-instance-share requires --instances");
+  fails("--instances 2 --min-instance-share 1.1", "--min-instance-share: 1.1 is not in [0, 1]");
+  fails("--min-instance-inliers 9", "--min-instance-inliers requires --max-instances");
+  fails("--min-instance-share 0.5", "--min-instance-share requires --max-instances");
   expect_failure("register a.ply b.ply --hypotheses 0", 2, "--hypotheses");
   expect_failure("register a.ply b.ply --instances 2", 2, "--instances");
 }

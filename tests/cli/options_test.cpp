@@ -77,7 +77,7 @@ TEST_F(SolveOption, LimitsAreReportedWhereTheyBind) {
   EXPECT_TRUE(solve("--noise-bound 0.01 --scale 2").at("limits_hit").empty());
   const auto output = test::run_tool("solve '" + (folder_ / "m.csv").string() +
                                      "' --noise-bound 0.01 --scale 2 --time-limit 1e-9 --json");
-  EXPECT_NE(output.out.find("\"limit_codes\": [\n    \"time\"\n"), std::string::npos) << output.out;
+  EXPECT_NE(output.out.find("\"limit_codes\": [\n    \"time\""), std::string::npos) << output.out;
 }
 
 TEST(CliqueOption, MaxNodesLeavesTheProofOpen) {
