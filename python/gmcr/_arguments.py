@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -63,10 +62,14 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
     return options
 
 
-@functools.cache
+_names_of: dict[type[Any], tuple[str, ...]] = {}  # mypy takes no type for functools.cache
+
+
 def option_names(kind: type[Any]) -> tuple[str, ...]:
     """Names of the options of a kind, such as ``Options``, in their order."""
-    return tuple(kind().__getstate__())
+    if kind not in _names_of:
+        _names_of[kind] = tuple(kind().__getstate__())
+    return _names_of[kind]
 
 
 def split_options(
