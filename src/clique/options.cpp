@@ -11,8 +11,7 @@ constexpr int kMaxThreads = 1024;
 
 void check_time_limit(double time_limit) {
   if (std::isnan(time_limit) || time_limit < 0) {
-    throw InvalidOption("time_limit",
-                        std::to_string(time_limit) + " is no number of seconds >= 0");
+    throw InvalidOption("time_limit", std::to_string(time_limit) + " is no number of seconds >= 0");
   }
 }
 
