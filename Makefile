@@ -26,10 +26,10 @@ test: build
 	@tools/make_venv
 	@build/venv/bin/python -m pytest -q tests/python
 
-# clang-format, headers alone, ruff, mypy, clang-tidy
+# clang-format, headers alone, ruff, mypy, clang-tidy, or those of them that GATES names
 lint: build
 	@tools/make_venv
-	@tools/lint
+	@tools/lint $(GATES)
 
 # the tests of the core with the address and undefined behaviour sanitizers
 sanitize: build/.packages

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/forced_isa.hpp"
+#include "forced_isa.hpp"
 
 namespace gmcr::testing {
 
