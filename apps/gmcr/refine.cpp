@@ -19,7 +19,7 @@ namespace icp = open3d::pipelines::registration;
 // In voxels of the target. The first pass catches what the pose is off by, the second fits closely.
 constexpr double kIcpDistances[] = {2, 1};
 constexpr double kNormalRadius = 2.5;
-constexpr int kNormalNeighbors = 30;
+constexpr int kNormalNeighbours = 30;
 constexpr int kIterations = 30;
 // A pose that loses more than this is another pose, not a finer one.
 constexpr double kLeastFitnessKept = 0.98;
@@ -39,7 +39,7 @@ Similarity run_icp(const CloudMatches& matches, const Similarity& pose) {
   const Open3DCloud source = to_open3d(pose.apply(matches.source_voxels));
   Open3DCloud target = to_open3d(matches.target_voxels);
   target.EstimateNormals(
-      open3d::geometry::KDTreeSearchParamHybrid(kNormalRadius * voxel, kNormalNeighbors));
+      open3d::geometry::KDTreeSearchParamHybrid(kNormalRadius * voxel, kNormalNeighbours));
   Eigen::Matrix4d step = Eigen::Matrix4d::Identity();
   for (const double distance : kIcpDistances) {
     step = icp::RegistrationICP(source, target, distance * voxel, step,

@@ -42,7 +42,8 @@ void check_method(const Options& o) {
   const std::string method = std::string("but method '") + word_of(o.method) + "' ";
   require(o.num_hypotheses == 1, "num_hypotheses", o.num_hypotheses,
           "are asked for, " + method + "finds one");
-  if (o.certify) throw InvalidOption("certify", "is asked for, " + method + "has no joint search");
+  if (o.certify)
+    throw InvalidOption("certify", "is asked for, " + method + "has no search for a proof");
 }
 
 }  // namespace

@@ -9,6 +9,12 @@ namespace gmcr::parallel {
 /// Threads that `num_threads` asks for: itself, or every core this process may use for 0.
 int resolve_num_threads(int num_threads);
 
+/// Threads for work on all pairs of so many: one where starting more would take longer than it.
+inline int threads_for_pairs(Index count, int num_threads) {
+  constexpr Index kFew = 512;
+  return count < kFew ? 1 : num_threads;
+}
+
 /// Calls body(begin, end) on disjoint ranges that cover [0, count), on up to `num_threads` threads.
 ///
 /// The ranges have `grain` indices each (the last may have fewer) for any number of threads, so a

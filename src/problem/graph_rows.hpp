@@ -14,10 +14,10 @@ template <typename WriteRow>
 BitsetGraph graph_from_rows(Index num_vertices, int num_threads, const parallel::Deadline& deadline,
                             const WriteRow& write_row) {
   constexpr Index kRowsPerChunk = 64;
-  constexpr Index kSmall = 512;  // starting threads would take longer than the rows
   BitsetGraph graph(num_vertices);
   std::atomic<bool> late = false;
-  parallel::parallel_for(num_vertices, kRowsPerChunk, num_vertices < kSmall ? 1 : num_threads,
+  parallel::parallel_for(num_vertices, kRowsPerChunk,
+                         parallel::threads_for_pairs(num_vertices, num_threads),
                          [&](Index begin, Index end) {
                            if (late || deadline.expired()) {
                              late = true;

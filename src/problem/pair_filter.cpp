@@ -172,8 +172,7 @@ bool PairFilter::admits_pair(Index i, Index j, const ScaleRange& scales) const {
 void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const {
   if (angles_.empty() && !one_to_one_) return;
   constexpr Index kBlock = BitsetGraph::kBitsPerWord;
-  constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-  const int threads = graph.num_vertices() < kSmall ? 1 : num_threads;
+  const int threads = parallel::threads_for_pairs(graph.num_vertices(), num_threads);
   parallel::parallel_for(graph.num_vertices(), kBlock, threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       const auto row = graph.mutable_row(i);

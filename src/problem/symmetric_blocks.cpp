@@ -8,8 +8,7 @@ namespace gmcr::problem {
 namespace {
 
 constexpr Index kBlock = BitsetGraph::kBitsPerWord;
-constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-constexpr Index kSide = 4;     // blocks: what a square of them writes fits the first-level cache
+constexpr Index kSide = 4;  // blocks: what a square of them writes fits the first-level cache
 
 /// Calls body(row_block, column_block) for all pairs of blocks with row_block <= column_block, in
 /// squares of kSide x kSide blocks: neighbouring words of a row, above and below the diagonal, are
@@ -18,7 +17,7 @@ template <typename Body>
 void for_each_upper_block(const BitsetGraph& graph, int num_threads,
                           const parallel::Deadline& deadline, const Body& body) {
   const Index num_blocks = graph.words_per_row(), num_squares = (num_blocks + kSide - 1) / kSide;
-  const int threads = graph.num_vertices() < kSmall ? 1 : num_threads;
+  const int threads = parallel::threads_for_pairs(graph.num_vertices(), num_threads);
   parallel::parallel_for(num_squares * num_squares, 1, threads, [&](Index square, Index) {
     const Index row = square / num_squares, column = square % num_squares;
     if (row > column || deadline.expired()) return;

@@ -15,7 +15,7 @@ using search::PoseSearch;
 using search::RangeGraph;
 
 const LimitHit kEndedEarly{Limit::ConsensusSearch,
-                           "the time budget ended the joint search before its proof"};
+                           "the time budget ended the search for consensus sets before its proof"};
 
 /// The value, or the whole number of inliers that it is to rounding or leaves below.
 double in_units(Measure measure, double value) {

@@ -13,8 +13,7 @@ namespace {
 constexpr Index kRowsPerChunk = ScaleVotes::kRowsPerChunk;
 static_assert(kRowsPerChunk == BitsetGraph::kBitsPerWord);
 constexpr int kColumnBits = 26;
-constexpr Index kSmall = 512;              // starting threads would take longer than the rows
-constexpr std::size_t kFewPairs = 100000;  // the same for the pairs of a graph
+constexpr std::size_t kFewPairs = 100000;  // starting threads would take longer than these
 
 }  // namespace
 
@@ -53,7 +52,8 @@ BinnedPairs::BinnedPairs(const geometry::CorrespondenceArrays& arrays, const Sca
   pairs_.resize(total);
   std::atomic<bool> late = false;
   parallel::parallel_for(static_cast<Index>(num_chunks_), 1,
-                         arrays.size() < kSmall ? 1 : num_threads, [&](Index chunk, Index) {
+                         parallel::threads_for_pairs(arrays.size(), num_threads),
+                         [&](Index chunk, Index) {
                            if (late || deadline.expired()) {
                              late = true;
                              return;

@@ -12,8 +12,6 @@
 namespace gmcr::search {
 namespace {
 
-constexpr Index kSmall = 512;  // starting threads would take longer than the rows
-
 // a pair's share of a sum over pairs: 1 above, the weight of its other end below this bit; for up
 // to 2^22 correspondences
 constexpr int kCountBit = 42;
@@ -149,8 +147,8 @@ ScaleVotes count_scale_votes(const geometry::CorrespondenceArrays& arrays, const
   const bool weighted = !weights.all_one();
   const std::size_t bytes = VoteTally::bytes_required(n, bins.size(), weighted);
   const auto that_fit = static_cast<int>(std::clamp<std::size_t>(max_bytes / bytes, 1, 1024));
-  const int threads =
-      n < kSmall ? 1 : std::min(parallel::resolve_num_threads(num_threads), that_fit);
+  const int threads = std::min(
+      parallel::resolve_num_threads(parallel::threads_for_pairs(n, num_threads)), that_fit);
 
   ScaleVotes votes{
       std::vector<Index>(num_bins), std::vector<double>(num_bins), std::vector<double>(num_bins),

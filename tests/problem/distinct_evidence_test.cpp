@@ -20,7 +20,7 @@ Eigen::ArrayXd weights_of(const Correspondences& correspondences, double scale) 
   return weights;
 }
 
-TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
+TEST(DistinctEvidence, CountsTheCopiesWithinTheirRadius) {
   testing::RandomGeometry random(1);
   Correspondences c{random.in_cube(80), random.in_cube(80), Eigen::ArrayXd(80)};
   for (double& bound : c.bounds) bound = random.uniform(0.02, 0.15);
@@ -28,13 +28,13 @@ TEST(DistinctEvidence, CountsThePartnersWithinItsReach) {
   for (const double scale : {0.05, 0.3, 1.0, 4.0}) {
     const Eigen::ArrayXd weights = weights_of(c, scale);
     for (Index i = 0; i < 80; ++i) {
-      int partners = 0;
+      int copies = 0;
       for (Index j = 0; j < 80; ++j) {
         const double bound = DistinctEvidence::kCopyRadius * (c.bounds[i] + c.bounds[j]);
-        partners += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
-                    kBuckets.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
+        copies += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
+                  kBuckets.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
       }
-      EXPECT_EQ(weights[i], 1.0 / (1 + partners));
+      EXPECT_EQ(weights[i], 1.0 / (1 + copies));
     }
   }
 }

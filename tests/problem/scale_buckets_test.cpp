@@ -44,13 +44,13 @@ TEST(ScaleBuckets, MoveWithTheirCentre) {
 TEST(ScaleBuckets, EndAtEdges) {
   for (const double centre : {0.3, 1.0, 7.0, 1e6}) {
     const ScaleBuckets buckets(centre);
-    for (int octave = -5; octave <= 5; ++octave) {
-      const double end = buckets.edge(35 * octave, 35);
-      EXPECT_EQ(buckets.centre_of(end), std::ldexp(centre, octave - 1));
-      EXPECT_EQ(buckets.centre_of(end * (1 + 1e-13)), std::ldexp(centre, octave));
+    for (int bucket = -5; bucket <= 5; ++bucket) {
+      const double end = buckets.edge(35 * bucket, 35);
+      EXPECT_EQ(buckets.centre_of(end), std::ldexp(centre, bucket - 1));
+      EXPECT_EQ(buckets.centre_of(end * (1 + 1e-13)), std::ldexp(centre, bucket));
       for (int k = 0; k < 35; ++k) {
         const double ratio =
-            buckets.edge(35 * octave + k + 1, 35) / buckets.edge(35 * octave + k, 35);
+            buckets.edge(35 * bucket + k + 1, 35) / buckets.edge(35 * bucket + k, 35);
         EXPECT_NEAR(ratio, std::exp2(1.0 / 35), 1e-14);
       }
     }

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from paper.problem import Pose
 
-NEIGHBORS = 9  # of a base: as in make_synthetic
+NEIGHBOURS = 9  # of a base: as in make_synthetic
 MAX_DRAWS = 10_000
 
 
@@ -85,12 +85,12 @@ def structured_outliers(
     Each is drawn near a random one of the (B, 2) `bases`: a source among the base's source and its
     nearest neighbours, a target likewise, further apart than the noise bound under the truth.
     """
-    near_source = cKDTree(source).query(source[bases[:, 0]], NEIGHBORS + 1)[1]
-    near_target = cKDTree(target).query(target[bases[:, 1]], NEIGHBORS + 1)[1]
+    near_source = cKDTree(source).query(source[bases[:, 0]], NEIGHBOURS + 1)[1]
+    near_target = cKDTree(target).query(target[bases[:, 1]], NEIGHBOURS + 1)[1]
     kept = np.empty((0, 2), dtype=int)
     for _ in range(MAX_DRAWS):
         base = random.integers(len(bases), size=count)
-        which = random.integers(NEIGHBORS + 1, size=(2, count))
+        which = random.integers(NEIGHBOURS + 1, size=(2, count))
         drawn = np.column_stack([near_source[base, which[0]], near_target[base, which[1]]])
         gaps = np.linalg.norm(target[drawn[:, 1]] - truth.apply(source[drawn[:, 0]]), axis=1)
         kept = np.unique(np.vstack([kept, drawn[gaps > noise_bound]]), axis=0)

@@ -16,7 +16,7 @@ from ._motion import Matrix, move
 _CELL = 0.5  # voxels of the target, as all lengths here
 _DISTANCES = (2.0, 1.0, 0.5)  # catching first, then fitting closely
 _NORMAL_RADIUS = 1.5
-_NORMAL_NEIGHBORS = 30
+_NORMAL_NEIGHBOURS = 30
 _MAX_ITERATIONS = 30
 # A pose that loses more than this is another pose, not a finer one.
 _LEAST_FITNESS_KEPT = 0.98
@@ -40,7 +40,7 @@ def refine_by_icp(
     voxel = result.matches.target_voxel_size
     cells = [_to_open3d(voxel_grid(cloud, _CELL * voxel)) for cloud in (source, target)]
     cells[1].estimate_normals(
-        open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBORS)
+        open3d.geometry.KDTreeSearchParamHybrid(_NORMAL_RADIUS * voxel, _NORMAL_NEIGHBOURS)
     )
     pose = result.matrix()
     for distance in _DISTANCES:

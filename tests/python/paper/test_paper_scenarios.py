@@ -106,8 +106,8 @@ def test_structured_outliers_lie_near_their_bases_and_are_no_inliers():
     assert gaps.min() > 0.1
     for source, target in drawn:
         near = [
-            rank(cloud, base[0], source) <= drawing.NEIGHBORS
-            and rank(cloud, base[1], target) <= drawing.NEIGHBORS
+            rank(cloud, base[0], source) <= drawing.NEIGHBOURS
+            and rank(cloud, base[1], target) <= drawing.NEIGHBOURS
             for base in bases
         ]
         assert any(near)
