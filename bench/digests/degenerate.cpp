@@ -130,9 +130,8 @@ void add_case(Cases& cases, const Shape& shape, bool is_exact, Scale scale,
 }  // namespace
 
 void add_degenerate(Cases& cases) {
-  const auto variants =
-      variants_named({"gmcr", "count", "paper", "all-priors", "one-to-one", "least-squares",
-                      "hypotheses", "mixed-bounds", "auto-noise"});
+  const auto variants = variants_named({"gmcr", "count", "paper", "all-priors", "one-to-one",
+                                        "hypotheses", "mixed-bounds", "auto-noise"});
   for (const Variant& variant : variants) {
     for (const Scale scale : {Scale::Known, Scale::Range, Scale::Free}) {
       for (const Shape& shape : all_shapes()) {

@@ -51,9 +51,8 @@ void add_case(Cases& cases, Index num_instances, Scale scale, const Variant& var
 }  // namespace
 
 void add_instances(Cases& cases) {
-  const auto variants =
-      variants_named({"gmcr", "count", "paper", "gravity", "one-to-one", "least-squares",
-                      "hypotheses", "mixed-bounds", "auto-noise"});
+  const auto variants = variants_named({"gmcr", "count", "paper", "gravity", "one-to-one",
+                                        "hypotheses", "mixed-bounds", "auto-noise"});
   for (const Variant& variant : variants) {
     for (const Scale scale : {Scale::Known, Scale::Range}) {
       for (const Index num_instances : {1, 2, 4}) {

@@ -67,7 +67,7 @@ void add_gore(Cases& cases, const std::filesystem::path& root) {
     const auto resolution = listed_resolution(root, "gore", folder.filename().string());
     if (!resolution) continue;
     const RealMatches item{"gore", folder, 2 * *resolution};
-    for (const Variant& variant : variants_named({"gmcr", "count", "gravity", "least-squares"})) {
+    for (const Variant& variant : variants_named({"gmcr", "count", "gravity"})) {
       add_case(cases, item, Scale::Known, variant);
     }
     add_parts(cases, item);

@@ -109,7 +109,6 @@ const std::vector<Variant>& single_variants() {
       {"initial-pose", use_initial_pose},
       {"all-priors", use_all_priors},
       {"one-to-one", [](Options& options, const Problem&) { options.one_to_one = true; }},
-      {"least-squares", [](Options& options, const Problem&) { options.least_squares = true; }},
       {"hypotheses", [](Options& options, const Problem&) { options.num_hypotheses = 3; }},
       {"mixed-bounds", use_mixed_bounds},
       {"threshold", use_threshold},
@@ -162,11 +161,9 @@ const std::vector<Variant>& all_variants() {
     std::erase_if(all, [](const Variant& variant) { return variant.name == "certify"; });
     all.push_back(both("paper-gravity", "paper", "gravity"));
     all.push_back(both("paper-mixed-bounds", "paper", "mixed-bounds"));
-    all.push_back(both("least-squares-gravity", "least-squares", "gravity"));
     all.push_back(both("one-to-one-count", "one-to-one", "count"));
     all.push_back(both("hypotheses-count", "hypotheses", "count"));
     all.push_back(both("auto-noise-gravity", "auto-noise", "gravity"));
-    all.push_back(both("mixed-bounds-least-squares", "mixed-bounds", "least-squares"));
     return all;
   }();
   return variants;
@@ -178,7 +175,6 @@ const std::vector<Variant>& certifying_variants() {
       both("certify-count", "certify", "count"),
       both("certify-gravity", "certify", "gravity"),
       both("certify-mixed-bounds", "certify", "mixed-bounds"),
-      both("certify-least-squares", "certify", "least-squares"),
       both("certify-one-to-one", "certify", "one-to-one"),
       both("certify-hypotheses", "certify", "hypotheses"),
   };

@@ -113,7 +113,7 @@ void add_unknown_scale(Cases& cases) {
       }
     }
   }
-  for (const Variant& variant : variants_named({"gmcr", "count", "least-squares", "gravity"})) {
+  for (const Variant& variant : variants_named({"gmcr", "count", "gravity"})) {
     for (const double rate : {0.5, 0.9}) {
       add_registration(cases, "unknown-large", {SyntheticKind::Ball, 1000, rate}, Scale::Free,
                        variant);

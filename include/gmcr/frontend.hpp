@@ -127,8 +127,8 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend = {}, const Options& options = {});
 
 /// The result with another pose in place of its own, such as a refined one: inliers, evidence,
-/// certificate, covariance, consistent scales, fitness, overlap RMSE and verdict are those of the
-/// new pose; the alternatives stay.
+/// covariance, consistent scales, fitness, overlap RMSE and verdict are those of the new pose; the
+/// certificate, which speaks of the matches, and the alternatives stay.
 /// @param options  that the result was computed with.
 /// Cost O(N log N).
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,

@@ -75,11 +75,6 @@ struct Options : Priors {
   /// inliers and the certificate still speak of all. Matches of clouds that share a target and are
   /// not mutual are thinned out to the one that is closest in feature space.
   bool one_to_one = false;
-  /// Return the least-squares fit to the inliers, fitted again until they stay the same, instead of
-  /// the pose that holds the most: closer to the truth where the bound is several times the noise,
-  /// farther where it is hardly larger, since the fit gives up inliers near it. The inliers, the
-  /// evidence and the lower bounds are those of the fit, so fewer consensus sets are certified.
-  bool least_squares = false;
 
   /// Poses to return, >= 1: the best one and up to num_hypotheses - 1 alternatives, each with a
   /// consensus set of its own (symmetric objects, repeated structure).

@@ -24,7 +24,7 @@ enum class Status {
 
 /// How far the evidence of the consensus can be from the best possible.
 struct EvidenceCertificate {
-  double lower = 0;        ///< `Result::evidence`
+  double lower = 0;        ///< that of `Certificate::inliers`
   double upper = 0;        ///< proven: no transform has more evidence
   bool certified = false;  ///< upper <= lower to rounding: no transform has more
 };
@@ -32,18 +32,24 @@ struct EvidenceCertificate {
 /// How far the consensus can be from the best possible, in numbers of inliers.
 ///
 /// Speaks of the transforms that the priors admit and, where the scale is estimated, of the scales
-/// that were searched (`Diagnostics::scale_range`).
+/// that were searched (`Diagnostics::scale_range`). The transform that holds the most is given with
+/// its consensus set: it lies near the returned one, which is the likeliest there and may hold
+/// fewer.
 struct Certificate {
-  Index lower = 0;         ///< achieved by the returned transform
+  Index lower = 0;         ///< size of `inliers`
   Index upper = 0;         ///< proven: no transform has more inliers
   bool certified = false;  ///< lower == upper: the consensus is a maximum one
   /// The same for what was maximised; with `Evidence::Count` the same numbers.
   EvidenceCertificate evidence;
+  Similarity target_from_source;  ///< the transform that achieves `lower` and `evidence.lower`
+  std::vector<Index> inliers;     ///< its consensus set, ascending
 };
 
-/// How well the inliers determine the transform, from their residuals: first-order covariance of
-/// the least-squares fit with weights 1 / noise_bound_i^2, the noise level estimated from the
-/// residuals themselves. Exact data leaves the rounding of the target points.
+/// How well the matches determine the transform, from the residuals within 3 noise bounds:
+/// first-order covariance of the likeliest fit, the noise of b_i with a standard deviation
+/// proportional to noise_bound_i, its level estimated from the residuals themselves, and enlarged
+/// where the residuals of near matches go together. Exact data leaves the rounding of the target
+/// points.
 ///
 /// The parameters are those of  x -> exp(sigma) s exp([omega]x) R x + t + tau, in this order: omega
 /// (3, radians, target frame, applied after R), tau (3, metres), and where the scale was estimated
@@ -56,6 +62,21 @@ struct Covariance {
   /// turn about a line near all inliers, which they hardly determine.
   Eigen::VectorXd eigenvalues;
 };
+
+/// How a pose graph wants the covariance of a transform.
+enum class PoseGraph {
+  /// GTSAM, of T in T Exp(xi): rotation first, in the frame of the source.
+  Gtsam,
+  /// ROS (geometry_msgs/PoseWithCovariance): translation first, then the rotation about the axes of
+  /// the target frame.
+  Ros,
+};
+
+/// Covariance of the rotation and the translation, whatever the scale.
+/// @param target_from_source  the transform that it is of.
+Eigen::Matrix<double, 6, 6> pose_graph_covariance(const Covariance& covariance,
+                                                  const Similarity& target_from_source,
+                                                  PoseGraph convention);
 
 /// The noise bound that was chosen from the data, and how sure that is.
 struct NoiseEstimate {
@@ -123,6 +144,8 @@ struct Diagnostics {
 struct Result {
   Status status = Status::TooFewCorrespondences;
   std::string status_reason;  ///< empty when Ok
+  /// The likeliest transform near the one that holds the most (`Certificate`), from the residuals
+  /// of all correspondences within 3 noise bounds: the most accurate one.
   Similarity target_from_source;
   /// Exactly the correspondences whose residual |b - (s R a + t)| is within the noise bound;
   /// ascending indices into the caller's input.

@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "bindings.hpp"
 #include "gmcr/registration.hpp"
@@ -93,16 +95,20 @@ void bind_certificate(nb::module_& module) {
   Record<EvidenceCertificate>(
       module, "EvidenceCertificate",
       "How far the evidence of the consensus can be from the best possible.")
-      .field("lower", &EvidenceCertificate::lower, "Evidence of the result.")
+      .field("lower", &EvidenceCertificate::lower, "Evidence of the certificate's inliers.")
       .field("upper", &EvidenceCertificate::upper, "Proven: no transform has more evidence.")
       .field("certified", &EvidenceCertificate::certified, "No transform has more, to rounding.")
       .read_only();
   Record<Certificate>(module, "Certificate",
                       "How far the consensus can be from the best possible, in inliers.")
-      .field("lower", &Certificate::lower, "Inliers of the returned transform.")
+      .field("lower", &Certificate::lower, "Number of its inliers.")
       .field("upper", &Certificate::upper, "Proven: no transform has more inliers.")
       .field("certified", &Certificate::certified, "lower == upper: a maximum consensus.")
       .field("evidence", &Certificate::evidence, "The same for the evidence.")
+      .field("target_from_source", &Certificate::target_from_source,
+             "The transform that achieves them; the returned one, near it, may hold fewer.")
+      .field("inliers", &Certificate::inliers,
+             "(m,) int64, its consensus set, ascending, read only.")
       .read_only();
 }
 
@@ -184,6 +190,21 @@ void bind_results(nb::module_& module) {
           .read_only(&describe);
   add_pose(result);
   add_report(result);
+  result.def(
+      "pose_graph_covariance",
+      [](const Result& self,
+         const std::string& convention) -> std::optional<Eigen::Matrix<double, 6, 6>> {
+        if (convention != "gtsam" && convention != "ros") {
+          throw std::invalid_argument("convention: '" + convention + "' is not 'gtsam' or 'ros'");
+        }
+        if (!self.covariance) return std::nullopt;
+        return pose_graph_covariance(*self.covariance, self.target_from_source,
+                                     convention == "ros" ? PoseGraph::Ros : PoseGraph::Gtsam);
+      },
+      nb::arg("convention"),
+      "(6, 6) covariance of the rotation and the translation as a pose graph wants it, or None.\n\n"
+      "'gtsam': of T in T Exp(xi), rotation first, in the frame of the source.\n"
+      "'ros': geometry_msgs/PoseWithCovariance, translation first, axes of the target frame.");
   result.def_prop_ro(
       "runner_up_ratio", &Result::runner_up_ratio,
       "Evidence of the best alternative over that of the result; near 1: ambiguous.");

@@ -10,21 +10,28 @@
 
 namespace gmcr::estimation {
 
-/// How well chosen correspondences determine the least-squares transform between them.
+/// How well correspondences determine the likeliest transform between them.
 ///
-/// First-order covariance of the minimiser of  sum_i |b_i - (s R a_i + t)|^2 / bounds_i^2 :  the
-/// noise of b_i is taken as isotropic with a standard deviation proportional to bounds_i, its level
-/// from the residuals,  sum_i |r_i|^2 / bounds_i^2  over  3 m - 6  (rigid) or  3 m - 7  degrees of
-/// freedom; that is at least 2 for m >= 3, so three inliers give an estimate, if a rough one. A
-/// residual counts at least the rounding of its target point: exact data is as sure as its digits.
+/// First-order covariance of the likeliest fit (`NoiseMixture`): the noise of b_i is taken as
+/// isotropic with a standard deviation proportional to bounds_i, its level from the residuals, over
+/// three degrees of freedom for each right match less  6  (rigid) or  7. Three inliers give an
+/// estimate, if a rough one. A residual counts at least the rounding of its target point: exact
+/// data is as sure as its digits.
+///
+/// Matches near each other may share their error, as key points do whose descriptors see the same
+/// surface. How much is measured: with g_i the gradient of the fit by match i, whitened, the
+/// covariance grows by  1 + sum g_i . g_j / sum |g_i|^2  over the pairs whose sources and targets
+/// are both within kSharedWithin of their mean bound (Kish 1965: the design effect of a clustered
+/// sample), and never shrinks.
 /// @param source, target  3 x N, metres.
 /// @param bounds          N noise bounds, metres, > 0.
-/// @param indices         the m columns to use, those near the transform.
+/// @param indices         the m columns to use, those within NoiseMixture::kWindow bounds.
 /// @param scale_is_free   whether the scale was estimated too: 7 parameters instead of 6.
 /// @return nullopt where m < 3, or where the points are on one line to rounding: then some
 ///   direction is not determined at all.
-/// Cost O(m). Works about the centroid, so clouds far from the origin lose no digits; the
-/// covariance of t itself is large there, since t is the image of the far origin.
+/// Cost O(m) and the pairs of at most 2,000 matches spread over them. Works about the centroid, so
+/// clouds far from the origin lose no digits; the covariance of t itself is large there, since t is
+/// the image of the far origin.
 std::optional<Covariance> estimate_covariance(const Similarity& target_from_source,
                                               const PointsRef& source, const PointsRef& target,
                                               const Eigen::ArrayXd& bounds,

@@ -147,14 +147,6 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   registration.evidence = consensus.evidence;
   registration.consistent_scales = uncertainty.consistent_scales;
   registration.covariance = std::move(uncertainty.covariance);
-  Certificate& certificate = registration.certificate;
-  certificate.lower = static_cast<Index>(registration.inliers.size());
-  certificate.upper = std::max(certificate.upper, certificate.lower);
-  certificate.certified = certificate.lower == certificate.upper;
-  EvidenceCertificate& evidence = certificate.evidence;
-  evidence.lower = registration.evidence;
-  evidence.upper = std::max(evidence.upper, evidence.lower);
-  evidence.certified = evidence.upper <= evidence.lower * (1 + 1e-9);
   measure_fit(result, options);
   frontend::judge(result);
   return result;

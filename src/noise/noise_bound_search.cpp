@@ -159,7 +159,6 @@ Options NoiseBoundSearch::cheap_options(double bound) const {
   Options cheap = options_;
   cheap.noise_mode = NoiseMode::Given;
   cheap.noise_bound = bound;
-  cheap.least_squares = false;
   cheap.num_hypotheses = 1;
   cheap.certify = false;
   cheap.clique_solver = clique_solver_;

@@ -112,11 +112,6 @@ struct Table<Options> : TableDefaults {
              {.name = "one_to_one",
               .help = "Search for poses with at most one inlier of those that share a point",
               .group = "Search"}},
-      Option{&Options::least_squares,
-             {.name = "least_squares",
-              .help = "Return the least-squares fit to the inliers, not the pose that holds the "
-                      "most: closer to the truth where the bound is loose, less often certified",
-              .group = "Answers"}},
       Option{&Options::num_hypotheses,
              {.name = "num_hypotheses",
               .help = "Poses to return: the best and its alternatives",

@@ -4,7 +4,7 @@
 #include <functional>
 #include <numeric>
 
-#include "problem/close_pairs.hpp"
+#include "geometry/close_pairs.hpp"
 
 namespace gmcr::problem {
 namespace {
@@ -29,7 +29,7 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
   std::size_t num_near = 0;
   always_.assign(n, 0);
   first_.assign(n + 1, 0);
-  complete_ = for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
+  complete_ = geometry::for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
     num_near += 2;
     const double max_scale = max_scale_of(source, i, j, radius);
     if (max_scale >= centres.max) {
@@ -49,7 +49,7 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
   has_copies_ = true;
   max_scales_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
+  geometry::for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
     const double max_scale = max_scale_of(source, i, j, radius);
     if (max_scale < centres.max && max_scale >= centres.min) {
       max_scales_[next[at(i)]++] = max_scale;

@@ -11,7 +11,9 @@ Certificate certify(Index lower, Index upper, double evidence, double evidence_u
   return {lower,
           upper,
           lower == upper,
-          {evidence, evidence_upper, evidence_upper <= evidence * (1 + kRounding)}};
+          {evidence, evidence_upper, evidence_upper <= evidence * (1 + kRounding)},
+          {},
+          {}};
 }
 
 }  // namespace gmcr::proof

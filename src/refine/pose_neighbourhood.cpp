@@ -41,15 +41,18 @@ Eigen::ArrayXd PoseNeighbourhood::relative_squares(const problem::CentredPose& p
   return kernels::squared_residuals(pose.similarity, source_, target_) * inverse_squared_bounds_;
 }
 
-std::optional<problem::CentredPose> PoseNeighbourhood::fit(const Eigen::ArrayXd& relative_squares,
-                                                           double factor) const {
-  const auto chosen = relative_squares <= factor * factor;
-  if (chosen.count() < problem::kMinInliers) return std::nullopt;
+std::optional<problem::CentredPose> PoseNeighbourhood::fit(const Eigen::ArrayXd& weights) const {
+  if ((weights > 0).count() < problem::kMinInliers) return std::nullopt;
   const auto fit = estimation::fit_pose(
-      estimation::measure_moments(source_, target_, chosen.select(inverse_squared_bounds_, 0.0)),
+      estimation::measure_moments(source_, target_, weights * inverse_squared_bounds_),
       problem_.constraints());
   if (!fit) return std::nullopt;
   return problem::CentredPose{*fit};
+}
+
+std::optional<problem::CentredPose> PoseNeighbourhood::fit(const Eigen::ArrayXd& relative_squares,
+                                                           double factor) const {
+  return fit((relative_squares <= factor * factor).cast<double>());
 }
 
 std::vector<Index> PoseNeighbourhood::within(const Eigen::ArrayXd& relative_squares,

@@ -1,7 +1,7 @@
 #include "registration/answer.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,44 +19,62 @@ using problem::Found;
 using problem::Problem;
 using problem::Run;
 
-/// The poses between the caller's frames, as the priors admit them.
-std::vector<problem::CallerPose> admitted_poses(const Problem& problem, const Found& found) {
-  std::vector<problem::CallerPose> poses;
-  for (const problem::CentredPose& centred : found.poses) {
-    const auto admitted = estimation::admitted_pose(
-        problem::uncentre(centred, problem.correspondences()).similarity, problem.options());
-    if (admitted) poses.push_back({*admitted});
-  }
-  return poses;
+/// A pose that was found, and the one that is returned in its place, on all of the input.
+struct Judged {
+  CallerHypothesis found, returned;
+};
+
+/// The pose between the caller's frames, if the priors admit one.
+std::optional<problem::CallerPose> admitted_pose(const Problem& problem,
+                                                 const problem::CentredPose& centred) {
+  const auto admitted = estimation::admitted_pose(
+      problem::uncentre(centred, problem.correspondences()).similarity, problem.options());
+  if (!admitted) return std::nullopt;
+  return problem::CallerPose{*admitted};
 }
 
-/// The poses judged on all of the input, best first.
+/// Best first.
 /// @param weights  null: those of `on_input`.
-std::vector<CallerHypothesis> judge_all(const std::vector<problem::CallerPose>& poses,
-                                        const problem::Objective* weights,
-                                        const CallerObjective& on_input) {
-  std::vector<CallerHypothesis> judged;
-  for (const problem::CallerPose& pose : poses) {
-    CallerHypothesis hypothesis = on_input.judge(pose);
-    if (weights) hypothesis.evidence = weights->evidence_of(hypothesis.inliers, pose.scale());
-    if (hypothesis.num_inliers() >= problem::kMinInliers) judged.push_back(std::move(hypothesis));
+std::vector<Judged> judge_all(const Problem& problem, const Found& found,
+                              const std::vector<problem::CentredPose>& fitted,
+                              const problem::Objective* weights, const CallerObjective& on_input) {
+  const auto judge = [&](const problem::CentredPose& centred) -> std::optional<CallerHypothesis> {
+    const auto pose = admitted_pose(problem, centred);
+    if (!pose) return std::nullopt;
+    CallerHypothesis hypothesis = on_input.judge(*pose);
+    if (hypothesis.num_inliers() < problem::kMinInliers) return std::nullopt;
+    if (weights) hypothesis.evidence = weights->evidence_of(hypothesis.inliers, pose->scale());
+    return hypothesis;
+  };
+  std::vector<Judged> all;
+  for (std::size_t k = 0; k < found.poses.size(); ++k) {
+    auto held = judge(found.poses[k]);
+    if (!held) continue;
+    auto returned = judge(fitted[k]);
+    if (!returned) returned = held;
+    all.push_back({std::move(*held), std::move(*returned)});
   }
-  std::stable_sort(judged.begin(), judged.end(), problem::is_better<problem::Frame::Caller>);
-  return judged;
+  std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
+    return problem::is_better(a.found, b.found);
+  });
+  return all;
 }
 
 /// Those of the others that share too little with any better one to be the same pose.
-std::vector<Alternative> distinct_alternatives(std::vector<CallerHypothesis> judged) {
+std::vector<Alternative> distinct_alternatives(std::vector<Judged> judged) {
   std::vector<Alternative> alternatives;
   for (std::size_t k = 1; k < judged.size(); ++k) {
-    const bool is_new =
-        std::none_of(judged.begin(), judged.begin() + static_cast<std::ptrdiff_t>(k),
-                     [&](const CallerHypothesis& better) {
-                       return problem::shares_most(better.inliers, judged[k].inliers);
-                     });
+    const CallerHypothesis& other = judged[k].returned;
+    const bool is_new = std::none_of(
+        judged.begin(), judged.begin() + static_cast<std::ptrdiff_t>(k), [&](const Judged& better) {
+          return problem::shares_most(better.returned.inliers, other.inliers);
+        });
     if (!is_new) continue;
-    alternatives.push_back({judged[k].pose.similarity, judged[k].inliers, judged[k].evidence});
+    alternatives.push_back({other.pose.similarity, other.inliers, other.evidence});
   }
+  std::stable_sort(
+      alternatives.begin(), alternatives.end(),
+      [](const Alternative& a, const Alternative& b) { return a.evidence > b.evidence; });
   return alternatives;
 }
 
@@ -97,12 +115,8 @@ std::string no_pose_reason(const Problem& problem, const Run& run) {
                "found";
 }
 
-Result judged_answer(const Problem& problem, const Found& found, Run& run) {
-  const std::vector<problem::CallerPose> poses = admitted_poses(problem, found);
-  if (poses.empty()) {
-    return no_pose(Status::NoConsensus, no_pose_reason(problem, run), found,
-                   static_cast<double>(found.upper_bound));
-  }
+Result judged_answer(const Problem& problem, const Found& found,
+                     const std::vector<problem::CentredPose>& fitted, Run& run) {
   // where all were used, their weights are known
   const Options& options = problem.options();
   const bool all_used = problem.size() == problem.input().size();
@@ -114,21 +128,23 @@ Result judged_answer(const Problem& problem, const Found& found, Run& run) {
     run.limit(problem::weights_incomplete());
     evidence_upper_bound = static_cast<double>(found.upper_bound);
   }
-  std::vector<CallerHypothesis> judged =
-      judge_all(poses, all_used ? &problem.objective() : nullptr, on_input);
+  std::vector<Judged> judged =
+      judge_all(problem, found, fitted, all_used ? &problem.objective() : nullptr, on_input);
   if (judged.empty()) {
-    return no_pose(Status::NoConsensus, "no pose found has 3 inliers", found, evidence_upper_bound);
+    return no_pose(Status::NoConsensus, no_pose_reason(problem, run), found, evidence_upper_bound);
   }
-  const CallerHypothesis& best = judged.front();
+  const auto& [held, returned] = judged.front();
   Result result;
   result.certificate =
-      proof::certify(best.num_inliers(), found.upper_bound, best.evidence, evidence_upper_bound);
-  result.target_from_source = best.pose.similarity;
-  result.inliers = best.inliers;
-  result.evidence = best.evidence;
+      proof::certify(held.num_inliers(), found.upper_bound, held.evidence, evidence_upper_bound);
+  result.certificate.target_from_source = held.pose.similarity;
+  result.certificate.inliers = held.inliers;
+  result.target_from_source = returned.pose.similarity;
+  result.inliers = returned.inliers;
+  result.evidence = returned.evidence;
   result.status_reason =
-      degeneracy_reason(problem.input().source, best.pose.similarity, best.inliers,
-                        problem.input().bounds(best.inliers).maxCoeff(), options);
+      degeneracy_reason(problem.input().source, returned.pose.similarity, returned.inliers,
+                        problem.input().bounds(returned.inliers).maxCoeff(), options);
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
   result.alternatives = distinct_alternatives(std::move(judged));
   describe_uncertainty(result, problem, run);
@@ -137,9 +153,10 @@ Result judged_answer(const Problem& problem, const Found& found, Run& run) {
 
 }  // namespace
 
-Result answer(const Problem& problem, const Found& found, Run& run) {
-  Result result =
-      problem.is_too_small() ? too_small(problem, found) : judged_answer(problem, found, run);
+Result answer(const Problem& problem, const Found& found,
+              const std::vector<problem::CentredPose>& fitted, Run& run) {
+  Result result = problem.is_too_small() ? too_small(problem, found)
+                                         : judged_answer(problem, found, fitted, run);
   result.diagnostics = run.record();
   return result;
 }

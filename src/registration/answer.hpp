@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "gmcr/result.hpp"
 #include "problem/problem.hpp"
 
@@ -8,6 +10,10 @@ namespace gmcr::registration {
 /// Transforms, inliers, certificate, status and uncertainty, all judged on the caller's
 /// correspondences and poses between the caller's frames: these residuals are what the caller can
 /// check.
-Result answer(const problem::Problem& problem, const problem::Found& found, problem::Run& run);
+/// @param fitted  a pose near each of `found.poses`, which is returned in its place; the
+/// certificate
+///   speaks of the pose that was found.
+Result answer(const problem::Problem& problem, const problem::Found& found,
+              const std::vector<problem::CentredPose>& fitted, problem::Run& run);
 
 }  // namespace gmcr::registration

@@ -1,17 +1,14 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gmcr/registration.hpp"
 #include "parallel/deadline.hpp"
 #include "problem/input.hpp"
-#include "problem/problem.hpp"
-#include "refine/least_squares.hpp"
-#include "registration/answer.hpp"
 #include "registration/estimated_noise.hpp"
 #include "registration/solve.hpp"
 
@@ -36,29 +33,11 @@ void renumber(std::vector<Index>& indices, const std::vector<Index>& left) {
   for (Index& i : indices) i = left[static_cast<std::size_t>(i)];
 }
 
-/// An answer, and the one before its least-squares fit: what the fit leaves out would be found
-/// again as one more instance.
-struct Instance {
-  Result held, result;
-};
-
-Instance find_instance(const PointsRef& source, const PointsRef& target, const Options& options) {
-  std::optional<Result> fitted;
-  const auto solve = [&](const PointsRef& from, const PointsRef& to, const Options& given) {
-    problem::Run run(given);
-    const problem::Problem problem(from, to, given, run);
-    const problem::Found found = registration::find(problem, run);
-    Result held = registration::answer(problem, found, run);
-    if (given.least_squares && !found.poses.empty()) {
-      fitted = registration::answer(problem, refine::fit_to_consensus(problem, found), run);
-    }
-    return held;
-  };
-  Result held = registration::with_noise_bound(source, target, options, solve);
-  if (!fitted) return {held, held};
-  fitted->noise_estimate = held.noise_estimate;
-  fitted->diagnostics = held.diagnostics;
-  return {std::move(held), std::move(*fitted)};
+/// Ascending indices that are in one of the two.
+std::vector<Index> united(const std::vector<Index>& a, const std::vector<Index>& b) {
+  std::vector<Index> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace
@@ -78,24 +57,25 @@ std::vector<Result> register_instances(const PointsRef& source, const PointsRef&
       break;
     }
     if (!found.empty() && static_cast<Index>(left.size()) < instances.min_instance_inliers) break;
-    Instance instance = find_instance(source(Eigen::all, left), target(Eigen::all, left),
-                                      options_of(options, left, deadline.remaining()));
+    Result instance = registration::with_noise_bound(
+        source(Eigen::all, left), target(Eigen::all, left),
+        options_of(options, left, deadline.remaining()), registration::solve);
+    const Certificate& most = instance.certificate;
     const bool is_instance =
-        instance.held.status == Status::Ok &&
-        static_cast<Index>(instance.held.inliers.size()) >= instances.min_instance_inliers &&
-        (found.empty() ||
-         instance.held.evidence >= instances.min_instance_share * found.front().evidence);
+        instance.status == Status::Ok && most.lower >= instances.min_instance_inliers &&
+        (found.empty() || most.evidence.lower >= instances.min_instance_share *
+                                                     found.front().certificate.evidence.lower);
     if (!found.empty() && !is_instance) break;
-    renumber(instance.held.inliers, left);
-    renumber(instance.result.inliers, left);
-    for (Alternative& alternative : instance.result.alternatives) {
-      renumber(alternative.inliers, left);
-    }
+    renumber(instance.inliers, left);
+    renumber(instance.certificate.inliers, left);
+    for (Alternative& alternative : instance.alternatives) renumber(alternative.inliers, left);
+    // what the returned pose leaves out would be found again as one more instance
+    const std::vector<Index> held = united(instance.inliers, instance.certificate.inliers);
     std::vector<Index> rest;
-    std::set_difference(left.begin(), left.end(), instance.held.inliers.begin(),
-                        instance.held.inliers.end(), std::back_inserter(rest));
+    std::set_difference(left.begin(), left.end(), held.begin(), held.end(),
+                        std::back_inserter(rest));
     left = std::move(rest);
-    found.push_back(std::move(instance.result));
+    found.push_back(std::move(instance));
     if (!is_instance) break;
   }
   return found;

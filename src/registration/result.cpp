@@ -2,6 +2,21 @@
 
 namespace gmcr {
 
+Eigen::Matrix<double, 6, 6> pose_graph_covariance(const Covariance& covariance,
+                                                  const Similarity& target_from_source,
+                                                  PoseGraph convention) {
+  // ours is of  exp([omega]x) R x + t + tau
+  Eigen::Matrix<double, 6, 6> map = Eigen::Matrix<double, 6, 6>::Zero();
+  if (convention == PoseGraph::Ros) {
+    map.topRightCorner<3, 3>().setIdentity();
+    map.bottomLeftCorner<3, 3>().setIdentity();
+  } else {  // R exp([xi_1]x) = exp([R xi_1]x) R,  t + R xi_2
+    map.topLeftCorner<3, 3>() = target_from_source.rotation.transpose();
+    map.bottomRightCorner<3, 3>() = target_from_source.rotation.transpose();
+  }
+  return map * covariance.matrix.topLeftCorner<6, 6>() * map.transpose();
+}
+
 const char* to_string(Status status) {
   switch (status) {
     case Status::Ok:

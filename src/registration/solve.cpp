@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 #include "paper/paper_method.hpp"
 #include "proof/tighten.hpp"
-#include "refine/least_squares.hpp"
+#include "refine/likely_pose.hpp"
 #include "registration/answer.hpp"
 #include "search/best_poses.hpp"
 
@@ -40,6 +41,15 @@ void bound_all_inliers(Found& found, const Problem& problem) {
   found.evidence_upper_bound += static_cast<double>(others);
 }
 
+/// What is returned near each pose that was found: the likeliest one. The paper's poses stay as
+/// they are.
+std::vector<problem::CentredPose> fitted_poses(const Problem& problem, const Found& found,
+                                               Run& run) {
+  if (problem.options().method == Method::Paper) return found.poses;
+  const problem::StageTimer timer(run, "fit");
+  return refine::most_likely_poses(problem, found.poses);
+}
+
 }  // namespace
 
 Found find(const Problem& problem, Run& run) {
@@ -55,9 +65,8 @@ Found find(const Problem& problem, Run& run) {
 Result solve(const PointsRef& source, const PointsRef& target, const Options& options) {
   Run run(options);
   const Problem problem(source, target, options, run);
-  Found found = find(problem, run);
-  if (options.least_squares) found = refine::fit_to_consensus(problem, std::move(found));
-  return answer(problem, found, run);
+  const Found found = find(problem, run);
+  return answer(problem, found, fitted_poses(problem, found, run), run);
 }
 
 }  // namespace gmcr::registration

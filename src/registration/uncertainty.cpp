@@ -1,6 +1,7 @@
 #include "registration/uncertainty.hpp"
 
 #include "estimation/covariance.hpp"
+#include "estimation/noise_mixture.hpp"
 #include "registration/consistent_scales.hpp"
 
 namespace gmcr::registration {
@@ -11,6 +12,16 @@ bool scale_is_free(const Options& options) {
   return !options.scale_range || options.scale_range->min < options.scale_range->max;
 }
 
+/// Correspondences whose residuals tell of the noise, ascending.
+std::vector<Index> near(const Similarity& pose, const problem::CallerCorrespondences& input) {
+  std::vector<Index> indices;
+  for (Index i = 0; i < input.size(); ++i) {
+    const double limit = estimation::NoiseMixture::kWindow * input.bounds[i];
+    if ((input.target.col(i) - pose * input.source.col(i)).norm() <= limit) indices.push_back(i);
+  }
+  return indices;
+}
+
 }  // namespace
 
 Uncertainty measure_uncertainty(const problem::CallerPose& pose,
@@ -19,8 +30,11 @@ Uncertainty measure_uncertainty(const problem::CallerPose& pose,
                                 const parallel::Deadline& deadline) {
   const bool free = scale_is_free(options);
   Uncertainty uncertainty;
-  uncertainty.covariance = estimation::estimate_covariance(
-      pose.similarity, input.source, input.target, input.bounds, inliers, free);
+  if (!inliers.empty()) {
+    uncertainty.covariance =
+        estimation::estimate_covariance(pose.similarity, input.source, input.target, input.bounds,
+                                        near(pose.similarity, input), free);
+  }
   const double scale = pose.scale();
   uncertainty.consistent_scales = {scale, scale};
   if (!free) return uncertainty;

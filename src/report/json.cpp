@@ -50,7 +50,9 @@ Json fields_of(const Certificate& certificate) {
           {"evidence",
            {{"lower", certificate.evidence.lower},
             {"upper", certificate.evidence.upper},
-            {"certified", certificate.evidence.certified}}}};
+            {"certified", certificate.evidence.certified}}},
+          {"target_from_source", rows_of(certificate.target_from_source.matrix())},
+          {"inliers", certificate.inliers}};
 }
 
 Json fields_of(const std::optional<Covariance>& covariance) {

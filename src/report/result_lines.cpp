@@ -90,15 +90,20 @@ void add_certificate(Lines& lines, const Result& result, const Options* options)
           : "";
   if (certificate.certified) {
     lines.add("certificate",
-              fmt::format("{} can have more inliers: proven optimal{}", no_pose(options), where),
+              fmt::format("{} can have more than {} inliers: proven optimal{}", no_pose(options),
+                          certificate.upper, where),
               Tone::Good);
-    return;
+  } else {
+    lines.add(
+        "certificate",
+        fmt::format("{} can have more than {}: within {} of the best possible{}", no_pose(options),
+                    certificate.upper, certificate.upper - certificate.lower, where),
+        Tone::Fair);
   }
-  lines.add(
-      "certificate",
-      fmt::format("{} can have more than {}: within {} of the best possible{}", no_pose(options),
-                  certificate.upper, certificate.upper - certificate.lower, where),
-      Tone::Fair);
+  if (certificate.lower != static_cast<Index>(result.inliers.size())) {
+    lines.add_more(fmt::format("{} are held by a pose beside this one, which is the likeliest",
+                               certificate.lower));
+  }
 }
 
 /// Whether the evidence is another number than that of the inliers, as far as is known.

@@ -30,7 +30,6 @@ VALUES = {
     "initial_pose": gmcr.InitialPose(max_rotation=0.25, max_translation=3),
     "max_translation": 12.0,
     "one_to_one": True,
-    "least_squares": True,
     "num_hypotheses": 3,
     "certify": True,
     "num_threads": 2,
@@ -233,16 +232,20 @@ def test_one_to_one_does_not_count_shared_points():
     assert len(free.inliers) > len(paired.inliers)
 
 
-def test_least_squares_fits_the_inliers_of_a_loose_bound_better(problem):
-    def error(least_squares):
-        result = solve(problem, noise_bound=0.1, least_squares=least_squares)
-        images = result.target_from_source.apply(problem.source[result.inliers])
-        residuals = problem.target[result.inliers] - images
-        return np.square(residuals).mean(), len(result.inliers)
+def test_the_certificate_holds_the_most_and_the_returned_pose_is_nearer(problem):
+    result = solve(problem, noise_bound=0.1)
+    certificate = result.certificate
 
-    (held, most), (fitted, fewer) = error(False), error(True)
-    assert fitted < held
-    assert fewer <= most
+    def error(pose):
+        expected = problem.target_from_source.apply(problem.source)
+        return np.linalg.norm(pose.apply(problem.source) - expected, axis=1).mean()
+
+    residuals = problem.target - certificate.target_from_source.apply(problem.source)
+    assert certificate.inliers.tolist() == np.flatnonzero(
+        np.linalg.norm(residuals, axis=1) <= 0.1
+    ).tolist()
+    assert certificate.lower == len(certificate.inliers) >= len(result.inliers)
+    assert error(result.target_from_source) < error(certificate.target_from_source)
 
 
 def test_num_hypotheses_returns_alternatives():

@@ -111,9 +111,9 @@ TEST(Priors, ATiltWithinTheLimitIsFoundAndOneBeyondIsNot) {
   const auto [problem, rival] = contest(4, 0.2);
   Priors priors;
   priors.gravity = upright(0.201);
-  EXPECT_GE(solve(problem, problem.options(), priors).inliers.size(), 20u);
+  EXPECT_GE(solve(problem, problem.options(), priors).certificate.lower, 20);
   priors.gravity = upright(0.1);
-  EXPECT_LT(solve(problem, problem.options(), priors).inliers.size(), 15u);
+  EXPECT_LT(solve(problem, problem.options(), priors).certificate.lower, 15);
 }
 
 TEST(Priors, OnTheTranslationLeaveOutWhatNoPoseCanMap) {

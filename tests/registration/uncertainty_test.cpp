@@ -4,11 +4,21 @@
 #include <stdexcept>
 
 #include "problems.hpp"
+#include "random_geometry.hpp"
 
 namespace gmcr::registration {
 namespace {
 
 using testing::random_problem;
+
+/// d' C^-1 d of the error d.
+double squared_distance(const Result& result, const Similarity& truth) {
+  const Eigen::AngleAxisd turn(truth.rotation * result.target_from_source.rotation.transpose());
+  Eigen::VectorXd error(6);
+  error.head<3>() = turn.angle() * turn.axis();
+  error.tail<3>() = truth.translation - result.target_from_source.translation;
+  return error.dot(result.covariance->matrix.inverse() * error);
+}
 
 TEST(Uncertainty, OfARigidResultHasSixParametersAndOneScale) {
   const auto problem = random_problem(1, 60, 60, 2);
@@ -41,16 +51,71 @@ TEST(Uncertainty, CoversTheErrorOfMostResults) {
     const Result result =
         register_correspondences(problem.source, problem.target, problem.options());
     ASSERT_TRUE(result.covariance);
-    const Eigen::AngleAxisd turn(problem.truth.rotation *
-                                 result.target_from_source.rotation.transpose());
-    Eigen::VectorXd error(6);
-    error.head<3>() = turn.angle() * turn.axis();
-    error.tail<3>() = problem.truth.translation - result.target_from_source.translation;
     // 95 % of a chi-squared variable of 6 degrees of freedom
-    const double squared_distance = error.dot(result.covariance->matrix.inverse() * error);
-    num_within += squared_distance < 12.6;
+    num_within += squared_distance(result, problem.truth) < 12.6;
   }
   EXPECT_GE(num_within, 25);
+}
+
+TEST(Uncertainty, IsTrueAtAnyBound) {
+  constexpr double kSigma = 0.01;
+  constexpr Index kRight = 60;
+  for (const double factor : {2.0, 3.0, 5.0}) {
+    int num_outside = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      auto problem = random_problem(seed, kRight, kRight);
+      testing::RandomGeometry random(seed + 500);
+      for (Index i = 0; i < kRight; ++i) {
+        problem.target.col(i) = problem.truth * problem.source.col(i);
+        for (Index axis = 0; axis < 3; ++axis) {
+          problem.target(axis, i) += kSigma * random.normal();
+        }
+      }
+      Options options = problem.options();
+      options.noise_bound = factor * kSigma;
+      const Result result = register_correspondences(problem.source, problem.target, options);
+      ASSERT_TRUE(result.covariance);
+      num_outside += squared_distance(result, problem.truth) > 12.6;
+    }
+    EXPECT_GE(num_outside, 2) << factor;  // 5 are expected
+    EXPECT_LE(num_outside, 9) << factor;
+  }
+}
+
+TEST(PoseGraphCovariance, IsOfThePerturbationOfThatGraph) {
+  testing::RandomGeometry random(1);
+  const Similarity pose = random.similarity(1, 1, 2);
+  Covariance covariance;
+  const Eigen::MatrixXd factor = Eigen::MatrixXd::Random(7, 7);
+  covariance.matrix = factor * factor.transpose();
+  constexpr double kStep = 1e-6;
+  for (const PoseGraph convention : {PoseGraph::Gtsam, PoseGraph::Ros}) {
+    // what the graph's parameters become where ours move
+    Eigen::Matrix<double, 6, 6> map;
+    for (Index k = 0; k < 6; ++k) {
+      Eigen::Matrix<double, 6, 1> ours = kStep * Eigen::Matrix<double, 6, 1>::Unit(k);
+      Similarity moved = pose;
+      moved.rotation = Eigen::AngleAxisd(ours.head<3>().norm(), ours.head<3>().normalized().eval())
+                           .toRotationMatrix() *
+                       pose.rotation;
+      moved.translation += ours.tail<3>();
+      const Similarity right = pose.inverse() * moved;  // T^-1 T'
+      const Eigen::AngleAxisd in_source(right.rotation);
+      const Eigen::AngleAxisd in_target(
+          Eigen::Matrix3d(moved.rotation * pose.rotation.transpose()));
+      Eigen::Matrix<double, 6, 1> theirs;
+      if (convention == PoseGraph::Gtsam) {
+        theirs << in_source.angle() * in_source.axis(), right.translation;
+      } else {
+        theirs << moved.translation - pose.translation, in_target.angle() * in_target.axis();
+      }
+      map.col(k) = theirs / kStep;
+    }
+    const Eigen::Matrix<double, 6, 6> expected =
+        map * covariance.matrix.topLeftCorner<6, 6>() * map.transpose();
+    EXPECT_LT((pose_graph_covariance(covariance, pose, convention) - expected).norm(),
+              1e-4 * expected.norm());
+  }
 }
 
 TEST(Uncertainty, OfADegenerateResultIsNotGiven) {

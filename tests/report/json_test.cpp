@@ -31,8 +31,10 @@ TEST(ResultJson, HoldsEachFieldUnderItsOwnName) {
   EXPECT_EQ(fields.at("num_inliers"), 3);
   EXPECT_EQ(fields.at("inliers"), json({1, 4, 7}));
   EXPECT_EQ(fields.at("evidence"), 2.5);
-  EXPECT_EQ(fields.at("certificate"), json::parse(R"({"lower": 3, "upper": 5, "certified": false,
-    "evidence": {"lower": 2.5, "upper": 4.5, "certified": false}})"));
+  EXPECT_EQ(fields.at("certificate"), json::parse(R"({"lower": 4, "upper": 5, "certified": false,
+    "evidence": {"lower": 3.25, "upper": 4.5, "certified": false},
+    "target_from_source": [[0, -2, 0, 1.5], [2, 0, 0, 2], [0, 0, 2, 3], [0, 0, 0, 1]],
+    "inliers": [1, 4, 6, 7]})"));
   EXPECT_EQ(fields.at("consistent_scales"), json({1.9, 2.1}));
   EXPECT_EQ(fields.at("covariance").at("matrix").size(), 7u);
   EXPECT_EQ(fields.at("covariance").at("eigenvalues").at(6), 1e-3);

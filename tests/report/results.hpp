@@ -14,7 +14,9 @@ inline Result make_result() {
   result.target_from_source.translation << 1, 2, 3;
   result.inliers = {1, 4, 7};
   result.evidence = 2.5;
-  result.certificate = {3, 5, false, {2.5, 4.5, false}};
+  result.certificate = {4, 5, false, {3.25, 4.5, false}, {}, {1, 4, 6, 7}};
+  result.certificate.target_from_source = result.target_from_source;
+  result.certificate.target_from_source.translation << 1.5, 2, 3;
   result.consistent_scales = {1.9, 2.1};
   result.covariance =
       Covariance{1e-4 * Eigen::MatrixXd::Identity(7, 7), 1e-3 * Eigen::VectorXd::Ones(7)};

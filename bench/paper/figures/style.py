@@ -22,7 +22,6 @@ COLUMN_WIDTH = 3.5  # inches
 STYLES = {
     # method: label, colour, marker, dashes
     "gmcr": ("gmcr", "#000000", "o", "-"),
-    "gmcr-fit": ("gmcr-fit", "#56b4e9", "h", (0, (7, 1))),
     "gmcr-count": ("gmcr-count", "#0072b2", "s", (0, (5, 1))),
     "gmcr-paper": ("gmcr-paper", "#d55e00", "^", (0, (3, 1, 1, 1))),
     "gmcr-exact": ("gmcr-exact", "#f0b800", "*", (0, (1, 1))),
@@ -33,7 +32,7 @@ STYLES = {
     "teaser++": ("TEASER++", "#a6761d", ">", (0, (5, 2, 2, 2))),
     "least-squares": ("true inliers", "#999999", "", (0, (1, 3))),
 }
-FITS = ("gmcr-fit", "least-squares")  # to inliers that are known: no search to be compared
+FITS = ("least-squares",)  # to inliers that are known: no search to be compared
 
 pyplot.rcParams.update(
     {

@@ -28,7 +28,7 @@ class Experiment:
 
 EXPERIMENTS: dict[str, Experiment] = {}
 
-GMCR = ("gmcr", "gmcr-fit", "gmcr-count", "gmcr-paper")
+GMCR = ("gmcr", "gmcr-count", "gmcr-paper")
 UNKNOWN_SCALE = (*GMCR, "open3d-ransac", "ransac10k", "teaser++", "least-squares")
 KNOWN_SCALE = (*UNKNOWN_SCALE[:-1], "open3d-fgr", "kiss-matcher", "least-squares")
 

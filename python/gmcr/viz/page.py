@@ -109,7 +109,7 @@ def _tiles(outcome: Outcome) -> str:
 def _proven(outcome: Outcome) -> tuple[str, str]:
     bounds = outcome.certificate
     if bounds.certified and outcome.has_pose:
-        return "proven optimal", "no pose has more inliers"
+        return "proven optimal", f"no pose has more than {int(bounds.upper):,} inliers"
     return f"at most {int(bounds.upper):,}", "inliers, whatever the pose"
 
 

@@ -5,7 +5,7 @@
 
 #include "gmcr/types.hpp"
 
-namespace gmcr::problem {
+namespace gmcr::geometry {
 
 /// Calls visit(i, j, radius) once for each pair of points that are within
 /// radius = radii_i + radii_j of each other, until it returns false.
@@ -18,4 +18,4 @@ namespace gmcr::problem {
 bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii,
                          const std::function<bool(Index i, Index j, double radius)>& visit);
 
-}  // namespace gmcr::problem
+}  // namespace gmcr::geometry

@@ -1,4 +1,4 @@
-#include "problem/close_pairs.hpp"
+#include "geometry/close_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace gmcr::problem {
+namespace gmcr::geometry {
 namespace {
 
 using Visit = std::function<bool(Index, Index, double)>;
@@ -117,4 +117,4 @@ bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii, c
   return true;
 }
 
-}  // namespace gmcr::problem
+}  // namespace gmcr::geometry

@@ -1,4 +1,4 @@
-#include "problem/close_pairs.hpp"
+#include "geometry/close_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "random_geometry.hpp"
 
-namespace gmcr::problem {
+namespace gmcr::geometry {
 namespace {
 
 using Pairs = std::multiset<std::pair<Index, Index>>;
@@ -75,4 +75,4 @@ TEST(NearPairs, EndWhereTheVisitorSaysSo) {
 }
 
 }  // namespace
-}  // namespace gmcr::problem
+}  // namespace gmcr::geometry
