@@ -54,7 +54,9 @@ class Record {
       const std::string set = "def " + field.name + "(self, value: " + field.accepted + ") -> None";
       class_.def_prop_rw(
           field.name.c_str(), getter(i),
-          [fields = fields_, i](T& self, nb::object value) { (*fields)[i].set(self, value); },
+          [fields = fields_, i](T& self, const nb::object& value) {
+            (*fields)[i].set(self, value);
+          },
           nb::for_getter(nb::sig(getter_signature(field).c_str())),
           nb::for_setter(nb::sig(set.c_str())), field.doc.c_str());
     }
@@ -68,9 +70,10 @@ class Record {
   /// Fields can be read only.
   /// @param text  of `repr`; by default all fields.
   nb::class_<T>& read_only(std::function<std::string(const T&)> text = nullptr) {
-    class_.def("__repr__", [fields = fields_, name = name_, text](nb::handle self) {
-      return text ? text(nb::cast<const T&>(self)) : describe(*fields, name, self, false);
-    });
+    class_.def(
+        "__repr__", [fields = fields_, name = name_, text = std::move(text)](nb::handle self) {
+          return text ? text(nb::cast<const T&>(self)) : describe(*fields, name, self, false);
+        });
     for (std::size_t i = 0; i < fields_->size(); ++i) {
       const Field& field = (*fields_)[i];
       class_.def_prop_ro(field.name.c_str(), getter(i), nb::sig(getter_signature(field).c_str()),
@@ -140,7 +143,7 @@ class Record {
   }
 
   auto initialiser() const {
-    return [fields = fields_, gone = gone_, name = name_](T* self, nb::kwargs keywords) {
+    return [fields = fields_, gone = gone_, name = name_](T* self, const nb::kwargs& keywords) {
       T value{};
       for (auto [keyword, given] : keywords) {
         const auto word = nb::cast<std::string>(keyword);

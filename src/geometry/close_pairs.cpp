@@ -67,7 +67,8 @@ class Grid {
 };
 
 bool visit_pair(const CellPoint& a, const CellPoint& b, const Visit& visit) {
-  const double squared = (b.point - a.point).squaredNorm(), radius = a.radius + b.radius;
+  const double squared = (b.point - a.point).squaredNorm();
+  const double radius = 2 * std::min(a.radius, b.radius);
   return squared > radius * radius || visit(a.index, b.index, radius);
 }
 
@@ -99,8 +100,9 @@ bool visit_rows(const std::vector<CellPoint>& from, const std::vector<CellPoint>
 bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii, const Visit& visit) {
   std::map<int, std::vector<Index>> by_radius;  // of one power of two each
   for (Index i = 0; i < points.cols(); ++i) by_radius[std::ilogb(radii[i])].push_back(i);
-  std::vector<Index> shorter;
-  for (const auto& [exponent, indices] : by_radius) {
+  std::vector<Index> longer;  // no pair is farther apart than the shorter radius allows
+  for (auto group = by_radius.rbegin(); group != by_radius.rend(); ++group) {
+    const std::vector<Index>& indices = group->second;
     double longest = 0;
     for (const Index i : indices) longest = std::max(longest, radii[i]);
     const Grid grid(points, radii, 2 * longest);
@@ -109,10 +111,10 @@ bool for_each_close_pair(const PointsRef& points, const Eigen::ArrayXd& radii, c
         !visit_rows(cells, cells, kLaterRows, false, visit)) {
       return false;
     }
-    if (!shorter.empty() && !visit_rows(cells, grid.sort(shorter), kAllRows, false, visit)) {
+    if (!longer.empty() && !visit_rows(cells, grid.sort(longer), kAllRows, false, visit)) {
       return false;
     }
-    shorter.insert(shorter.end(), indices.begin(), indices.end());
+    longer.insert(longer.end(), indices.begin(), indices.end());
   }
   return true;
 }

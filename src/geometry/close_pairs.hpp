@@ -8,10 +8,10 @@
 namespace gmcr::geometry {
 
 /// Calls visit(i, j, radius) once for each pair of points that are within
-/// radius = radii_i + radii_j of each other, until it returns false.
+/// radius = 2 min(radii_i, radii_j) of each other, until it returns false.
 ///
-/// The points lie in grids of cells as wide as their radii, one grid for all of about the same
-/// radius, so that one point of large radius does not make the cells of all others wide. The order
+/// The points of about the same radius lie in a grid of cells twice as wide, and those of larger
+/// radii are looked up in it: a few of large radius cost no more than others. The order
 /// of the visits depends on the input only.
 /// @param points   3 x N, metres, finite.  @param radii  N lengths, metres, > 0.
 /// @return whether all pairs were visited. Cost O(N log N + pairs in neighbouring cells).

@@ -9,10 +9,13 @@
 namespace gmcr::problem {
 namespace {
 
-/// The scale up to which two correspondences with near targets are copies.
-double max_scale_of(const PointsRef& source, Index i, Index j, double radius) {
-  const double length = (source.col(j) - source.col(i)).norm();
-  return length > 0 ? radius / length : std::numeric_limits<double>::infinity();
+/// Calls visit(i, j, max_scale) for the pairs that are copies at scales up to max_scale.
+bool for_each_copy(const PointsRef& source, const PointsRef& target, const Eigen::ArrayXd& radii,
+                   const std::function<bool(Index i, Index j, double max_scale)>& visit) {
+  return geometry::for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
+    const double length = (source.col(j) - source.col(i)).norm();
+    return visit(i, j, length > 0 ? radius / length : std::numeric_limits<double>::infinity());
+  });
 }
 
 }  // namespace
@@ -29,9 +32,8 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
   std::size_t num_near = 0;
   always_.assign(n, 0);
   first_.assign(n + 1, 0);
-  complete_ = geometry::for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
+  complete_ = for_each_copy(source, target, radii, [&](Index i, Index j, double max_scale) {
     num_near += 2;
-    const double max_scale = max_scale_of(source, i, j, radius);
     if (max_scale >= centres.max) {
       ++always_[at(i)];
       ++always_[at(j)];
@@ -49,8 +51,7 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
   has_copies_ = true;
   max_scales_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end());
-  geometry::for_each_close_pair(target, radii, [&](Index i, Index j, double radius) {
-    const double max_scale = max_scale_of(source, i, j, radius);
+  for_each_copy(source, target, radii, [&](Index i, Index j, double max_scale) {
     if (max_scale < centres.max && max_scale >= centres.min) {
       max_scales_[next[at(i)]++] = max_scale;
       max_scales_[next[at(j)]++] = max_scale;

@@ -17,9 +17,11 @@ namespace gmcr::problem {
 /// 60 degrees of rotation, and one a little longer not much less: its two members say one thing
 /// twice. Correspondence i weighs
 ///   w_i(s) = 1 / (1 + number of its copies at scale s),
-/// copies being the pairs with |bbar_k| <= kCopyRadius eps_k and o |abar_k| <= kCopyRadius eps_k,
-/// where o is the centre of the bucket of s: were it s itself, copies would be lost one by one as s
-/// grows, and the pose of most evidence would be one whose scale is some per cent too large.
+/// copies being the pairs with |bbar_k| <= kCopyRadius e_k and o |abar_k| <= kCopyRadius e_k, where
+/// e_k = 2 min(eps_i, eps_j) is eps_k where bounds are alike: a match of loose bound is no copy of
+/// the tight ones in its ball, which say much more; and where o is the centre of the bucket of s:
+/// were it s itself, copies would be lost one by one as s grows, and the pose of most evidence
+/// would be one whose scale is some per cent too large.
 class DistinctEvidence {
  public:
   /// Copies at half as much again as the 1 of L6 tell clusters of outliers from inliers where

@@ -148,14 +148,6 @@ std::optional<problem::Hypothesis> optimise_locally(const problem::Problem& prob
   return best;
 }
 
-problem::Hypothesis hold_all(const problem::Problem& problem, const std::vector<Index>& indices,
-                             problem::Hypothesis best) {
-  constexpr int kIterations = 20;
-  MinimaxClimb climb(problem, indices, std::move(best));
-  climb.equalise(kIterations);
-  return climb.best();
-}
-
 problem::Hypothesis hold_more(const problem::Problem& problem, problem::Hypothesis best,
                               double must_exceed) {
   constexpr double kNear = 1.5;

@@ -34,12 +34,6 @@ std::optional<problem::Hypothesis> optimise_locally(const problem::Problem& prob
                                                     const problem::CentredPose& start,
                                                     const Incumbent& incumbent = {});
 
-/// Tries to hold all of the given correspondences by fits that approach the pose of least largest
-/// residual over them (Lawson 1961).
-/// @return never worse than `best` by the objective.
-problem::Hypothesis hold_all(const problem::Problem& problem, const std::vector<Index>& indices,
-                             problem::Hypothesis best);
-
 /// Tries to bring correspondences just outside the consensus set inside it.
 ///
 /// A least-squares pose leaves out inliers whose noise is close to the bound. Fits that weigh the

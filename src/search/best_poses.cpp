@@ -29,12 +29,7 @@ void BestPoseSearch::search_known_scale() {
   const RangeGraph& range = graph_.emplace(build_range_graph(poses_, poses_.problem().scales()));
   bounds_.inliers = search_clique(poses_, range, Measure::Inliers, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
-  if (bounds_.inliers > poses_.to_beat(Measure::Evidence)) {
-    explore_around_best(poses_, range);
-    const double explored = poses_.to_beat(Measure::Evidence);
-    grow_cliques(poses_, range, kMaxStarts);
-    if (poses_.to_beat(Measure::Evidence) > explored) explore_around_best(poses_, range);
-  }
+  if (bounds_.inliers > poses_.to_beat(Measure::Evidence)) grow_cliques(poses_, range, kMaxStarts);
   if (!poses_.problem().objective().is_weighted()) return;
   bounds_.evidence =
       std::min(bounds_.inliers, search_clique(poses_, range, Measure::Evidence, kMaxWeightedNodes));

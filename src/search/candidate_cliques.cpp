@@ -21,11 +21,6 @@ constexpr double kLeastPart = 0.5;
 constexpr Index kQuickGraph = 4096;
 /// Starts whose bound is computed, a start that may be taken.
 constexpr Index kMaxBounded = 8;
-/// Correspondences within so many bounds of the best pose may be inliers of a better one beside it.
-constexpr double kNearby = 2;
-constexpr Index kMaxNearby = 512;
-constexpr Index kMaxStartsNearby = 16;
-constexpr std::uint64_t kMaxNodesNearby = 200;
 
 /// Removes the edges of a vertex.
 void isolate(BitsetGraph& graph, Index v) {
@@ -51,35 +46,6 @@ std::vector<Index> by_descending(const std::vector<Index>& values) {
     return values[static_cast<std::size_t>(a)] > values[static_cast<std::size_t>(b)];
   });
   return order;
-}
-
-/// The heaviest clique among some vertices, as far as a short search finds it, and greedy ones from
-/// those of largest degree.
-std::vector<std::vector<Index>> cliques_among(PoseSearch& search, const RangeGraph& range,
-                                              const std::vector<Index>& vertices) {
-  const StageTimer timer(search.run(), "clique");
-  const BitsetGraph graph = clique::induced_subgraph(range.graph, vertices);
-  const std::vector<double> all_weights =
-      weights_of(search.problem(), Measure::Evidence, range.scales);
-  std::vector<double> weights;
-  weights.reserve(vertices.size());
-  for (const Index v : vertices) weights.push_back(all_weights[static_cast<std::size_t>(v)]);
-  std::vector<std::vector<Index>> cliques{
-      search.run()
-          .max_weight_clique(graph, weights, search.to_beat(Measure::Evidence), kMaxNodesNearby)
-          .vertices};
-  const std::vector<Index> degree = clique::degrees_of(graph, 1);
-  std::vector<bool> covered(vertices.size(), false);
-  for (const Index v : by_descending(degree)) {
-    if (static_cast<Index>(cliques.size()) > kMaxStartsNearby) break;
-    if (covered[static_cast<std::size_t>(v)]) continue;
-    cliques.push_back(clique::greedy_clique(graph, v, degree, kMaxCandidates));
-    for (const Index u : cliques.back()) covered[static_cast<std::size_t>(u)] = true;
-  }
-  for (std::vector<Index>& clique : cliques) {
-    for (Index& v : clique) v = vertices[static_cast<std::size_t>(v)];
-  }
-  return cliques;
 }
 
 }  // namespace
@@ -156,18 +122,6 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
     if (evidence < kLeastPart * to_beat) continue;
     search.try_clique(clique);
     if (search.to_beat(Measure::Evidence) > to_beat) leave_out_explained();
-  }
-}
-
-void explore_around_best(PoseSearch& search, const RangeGraph& range) {
-  for (double before = 0; search.to_beat(Measure::Evidence) > before;) {
-    before = search.to_beat(Measure::Evidence);
-    const std::vector<Index> near = search.near_best(kNearby);
-    if (static_cast<Index>(near.size()) > kMaxNearby) return;
-    for (const std::vector<Index>& clique : cliques_among(search, range, near)) {
-      if (search.run().stopped()) return;
-      search.try_clique(clique);
-    }
   }
 }
 

@@ -29,10 +29,6 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 /// earlier one covers nor the best pose explains, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
 
-/// Tries greedy maximal cliques of the correspondences near the best pose, until none leads to a
-/// better one.
-void explore_around_best(PoseSearch& search, const RangeGraph& range);
-
 /// L5: searches the range's graph for a clique that measures more than what is to be beaten and
 /// tries it.
 /// @return proven upper bound on the measure of poses in the range, or what is to be beaten where

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "estimation/constrained_fit.hpp"
-#include "refine/pattern_search.hpp"
-#include "search/pose_from_clique.hpp"
 
 namespace gmcr::search {
 
@@ -16,8 +14,13 @@ PoseSearch::PoseSearch(const problem::Problem& problem, problem::Run& run,
 void PoseSearch::try_clique(const std::vector<Index>& clique) {
   const StageTimer timer(run_, "pose");
   if (!examined_.insert(clique).second) return;
-  std::optional<problem::Hypothesis> pose = pose_from_clique(problem_, run_, clique, incumbent());
+  const problem::Correspondences& c = problem_.correspondences();
+  const auto fit =
+      estimation::fit_pose(c.source, c.target, c.bounds, clique, problem_.constraints());
+  if (!fit) return;
+  ++run_.diagnostics().num_candidates;
   // L7: the clique was a candidate; the objective on all correspondences decides
+  std::optional<problem::Hypothesis> pose = refine::optimise_locally(problem_, {*fit}, incumbent());
   if (pose) keep(std::move(*pose));
 }
 
@@ -44,12 +47,8 @@ void PoseSearch::keep(problem::Hypothesis pose) {
   if (incumbent().is_near(pose.inliers)) ++num_in_vain_;
   if (!reached_.insert(pose.inliers).second) return;
   // a challenger is measured by what it can hold, as the best so far was
-  problem::Hypothesis reached =
+  const problem::Hypothesis reached =
       refine::hold_more(problem_, std::move(pose), incumbent().evidence());
-  constexpr double kClose = 0.9;
-  if (reached.evidence > kClose * incumbent().evidence()) {
-    reached = refine::climb_by_motions(problem_, std::move(reached));
-  }
   for (const problem::Hypothesis& known : left_out_) {
     if (problem::shares_most(known.inliers, reached.inliers)) return;
   }
@@ -58,7 +57,7 @@ void PoseSearch::keep(problem::Hypothesis pose) {
   most_.evidence =
       std::max(most_.evidence, problem_.objective().evidence_of(members, reached.pose.scale()));
   if (best_ && !problem::is_better(reached, *best_)) return;
-  best_ = std::move(reached);
+  best_ = reached;
   num_in_vain_ = 0;
 }
 

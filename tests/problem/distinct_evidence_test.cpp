@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "problem/correspondences.hpp"
 #include "problem/scale_buckets.hpp"
 #include "random_geometry.hpp"
@@ -30,7 +32,7 @@ TEST(DistinctEvidence, CountsTheCopiesWithinTheirRadius) {
     for (Index i = 0; i < 80; ++i) {
       int copies = 0;
       for (Index j = 0; j < 80; ++j) {
-        const double bound = DistinctEvidence::kCopyRadius * (c.bounds[i] + c.bounds[j]);
+        const double bound = DistinctEvidence::kCopyRadius * 2 * std::min(c.bounds[i], c.bounds[j]);
         copies += j != i && (c.target.col(j) - c.target.col(i)).norm() <= bound &&
                   kBuckets.centre_of(scale) * (c.source.col(j) - c.source.col(i)).norm() <= bound;
       }
@@ -76,7 +78,7 @@ TEST(DistinctEvidence, IsTheSameForAnyRangeThatHoldsTheScale) {
   }
 }
 
-TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
+TEST(DistinctEvidence, DoesNotDependOnScalesOfOneBucket) {
   testing::RandomGeometry random(5);
   const Correspondences c{random.in_cube(100), random.in_cube(100),
                           Eigen::ArrayXd::Constant(100, 0.1)};
@@ -86,7 +88,7 @@ TEST(DistinctEvidence, DoesNotDependOnScalesOfOneOctave) {
                   .depends_on_scale());
 }
 
-TEST(DistinctEvidence, OfADistantScaleHasNoPartners) {
+TEST(DistinctEvidence, OfADistantScaleHasNoCopies) {
   testing::RandomGeometry random(4);
   const Correspondences c{random.in_cube(50), random.in_cube(50),
                           Eigen::ArrayXd::Constant(50, 0.1)};

@@ -59,6 +59,26 @@ TEST(Evidence, DecidesBetweenPosesAtKnownAndUnknownScale) {
   }
 }
 
+/// Right matches of two bounds, and a few that follow another motion within the tight one.
+TEST(Evidence, OfTightBoundsIsNotTakenByLooseOnes) {
+  constexpr Index kRight = 30, kWrong = 20, kLoose = 20, kAll = kRight + kWrong + kLoose;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    testing::RandomGeometry random(seed);
+    const Similarity truth = random.similarity(1, 1, 3), other = random.similarity(1, 1, 3);
+    const Points source = 4 * random.in_cube(kAll);
+    Points target(3, kAll);
+    Options options;
+    for (Index i = 0; i < kAll; ++i) {
+      const double bound = i < kRight + kWrong ? 0.01 : 1;
+      const bool is_wrong = i >= kRight && i < kRight + kWrong;
+      target.col(i) = (is_wrong ? other : truth) * source.col(i) + random.in_ball(bound);
+      options.noise_bounds.push_back(bound);
+    }
+    const Result result = register_correspondences(source, target, options);
+    EXPECT_LT(mean_point_error(result.target_from_source, truth, source), 0.01);
+  }
+}
+
 TEST(Evidence, OrdersTheHypotheses) {
   for (auto& [c, options] : contests()) {
     const Points &source = c.problem.source, &target = c.problem.target;
