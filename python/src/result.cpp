@@ -192,16 +192,19 @@ void bind_results(nb::module_& module) {
   add_report(result);
   result.def(
       "pose_graph_covariance",
-      [](const Result& self,
-         const std::string& convention) -> std::optional<Eigen::Matrix<double, 6, 6>> {
+      [](const Result& self, const std::string& convention) -> nb::object {
         if (convention != "gtsam" && convention != "ros") {
           throw std::invalid_argument("convention: '" + convention + "' is not 'gtsam' or 'ros'");
         }
-        if (!self.covariance) return std::nullopt;
-        return pose_graph_covariance(*self.covariance, self.target_from_source,
-                                     convention == "ros" ? PoseGraph::Ros : PoseGraph::Gtsam);
+        if (!self.covariance) return nb::none();
+        const Eigen::MatrixXd matrix =
+            pose_graph_covariance(*self.covariance, self.target_from_source,
+                                  convention == "ros" ? PoseGraph::Ros : PoseGraph::Gtsam);
+        return Convert<Eigen::MatrixXd>::to_python(matrix, nb::handle());
       },
       nb::arg("convention"),
+      nb::sig("def pose_graph_covariance(self, convention: str) -> "
+              "numpy.typing.NDArray[numpy.float64] | None"),
       "(6, 6) covariance of the rotation and the translation as a pose graph wants it, or None.\n\n"
       "'gtsam': of T in T Exp(xi), rotation first, in the frame of the source.\n"
       "'ros': geometry_msgs/PoseWithCovariance, translation first, axes of the target frame.");

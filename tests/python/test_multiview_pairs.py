@@ -112,7 +112,6 @@ def test_alternatives_are_edges_of_their_own(scene: tuple[list[Matrix], list[Mat
     edges = register_pairs(scans, [(1, 0)], frontend, num_hypotheses=3, num_threads=2)
     assert len(edges) > 1
     assert {(edge.source, edge.target) for edge in edges} == {(1, 0)}
-    assert edges[0].weight > edges[1].weight
     assert not np.allclose(edges[0].target_from_source, edges[1].target_from_source)
 
 

@@ -189,8 +189,26 @@ def test_instances_are_found_one_after_the_other():
         np.vstack([near.target, far.target]),
         noise_bound=0.01,
     )
-    assert first.inliers.tolist() == list(range(50))
-    assert second.inliers.tolist() == list(range(50, 70))
+    assert first.certificate.inliers.tolist() == list(range(50))
+    assert second.certificate.inliers.tolist() == list(range(50, 70))
+
+
+def test_the_covariance_comes_as_a_pose_graph_wants_it(result):
+    rotation = result.rotation
+    ours = result.covariance.matrix[:6, :6]
+    gtsam, ros = (result.pose_graph_covariance(word) for word in ("gtsam", "ros"))
+    assert gtsam[:3, :3] == pytest.approx(rotation.T @ ours[:3, :3] @ rotation)
+    assert gtsam[3:, :3] == pytest.approx(rotation.T @ ours[3:, :3] @ rotation)
+    assert ros[3:, 3:] == pytest.approx(ours[:3, :3])
+    assert ros[:3, 3:] == pytest.approx(ours[3:, :3])
+    with pytest.raises(ValueError, match="convention"):
+        result.pose_graph_covariance("g2o")
+    assert (
+        gmcr.register_correspondences(
+            np.zeros((2, 3)), np.zeros((2, 3)), noise_bound=1
+        ).pose_graph_covariance("ros")
+        is None
+    )
 
 
 def test_evaluate_consensus_agrees_with_the_result(result, scaled_problem):
