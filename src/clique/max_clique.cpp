@@ -41,7 +41,8 @@ class Solver {
   Solver(const BitsetGraph& graph, const CliqueOptions& options)
       : graph_(graph),
         incumbent_(checked_clique(graph, options.initial_clique), options.must_exceed),
-        budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes),
+        budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes,
+                options.max_work),
         must_exceed_(options.must_exceed),
         upper_bound_(graph.num_vertices()),
         num_threads_(options.num_threads),

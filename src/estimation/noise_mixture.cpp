@@ -7,7 +7,7 @@
 namespace gmcr::estimation {
 namespace {
 
-constexpr double kLight = 61, kHeavy = 3;  // degrees of freedom
+constexpr int kLight = 61, kHeavy = 3;  // degrees of freedom
 constexpr double kVolume = 4 * std::numbers::pi / 3 * NoiseMixture::kWindow *
                            NoiseMixture::kWindow * NoiseMixture::kWindow;
 /// A noise bound is no larger than 20 standard deviations of the noise: else a few matches that
@@ -16,11 +16,11 @@ constexpr double kLeastVariance = 0.05 * 0.05;
 constexpr double kMostShare = 0.999;
 
 /// Gamma((nu + 3) / 2) / (Gamma(nu / 2) (nu pi)^(3/2)), for odd nu.
-double normaliser(double nu) {
+double normaliser(int nu) {
   // Gamma(z + 1) = z Gamma(z), from Gamma(1) = 1 and Gamma(1/2) = sqrt(pi)
   double ratio = 1 / std::sqrt(std::numbers::pi);
-  for (double z = 1; z < (nu + 3) / 2; ++z) ratio *= z;
-  for (double z = 0.5; z < nu / 2; ++z) ratio /= z;
+  for (int k = 1; 2 * k < nu + 3; ++k) ratio *= k;
+  for (int k = 1; k < nu; k += 2) ratio /= k / 2.0;
   const double spread = nu * std::numbers::pi;
   return ratio / (spread * std::sqrt(spread));
 }
@@ -48,8 +48,8 @@ NoiseMixture::NoiseMixture(Tails tails, const Eigen::ArrayXd& squares)
 
 Eigen::ArrayXd NoiseMixture::odds(const Eigen::ArrayXd& squares) const {
   const double nu = degrees_of_freedom_;
-  const double factor =
-      share_ / (1 - share_) * kVolume * normaliser(nu) / (variance_ * std::sqrt(variance_));
+  const double factor = share_ / (1 - share_) * kVolume * normaliser(degrees_of_freedom_) /
+                        (variance_ * std::sqrt(variance_));
   return factor *
          power((1 + squares / (nu * variance_)).inverse(), static_cast<unsigned>((nu + 3) / 2));
 }
@@ -60,11 +60,13 @@ Eigen::ArrayXd NoiseMixture::right(const Eigen::ArrayXd& squares) const {
 }
 
 Eigen::ArrayXd NoiseMixture::weights(const Eigen::ArrayXd& squares) const {
-  return (degrees_of_freedom_ + 3) / (degrees_of_freedom_ + squares / variance_);
+  const double nu = degrees_of_freedom_;
+  return (nu + 3) / (nu + squares / variance_);
 }
 
 double NoiseMixture::information() const {
-  return (degrees_of_freedom_ + 3) / (degrees_of_freedom_ + 5);
+  const double nu = degrees_of_freedom_;
+  return (nu + 3) / (nu + 5);
 }
 
 void NoiseMixture::update(const Eigen::ArrayXd& right, const Eigen::ArrayXd& weights,

@@ -52,7 +52,7 @@ class NoiseMixture {
   /// Density of right matches, times their share, over the one of wrong ones times theirs.
   Eigen::ArrayXd odds(const Eigen::ArrayXd& squares) const;
 
-  double degrees_of_freedom_;
+  int degrees_of_freedom_;
   double variance_ = 1, share_ = 1;
 };
 

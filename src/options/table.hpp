@@ -260,6 +260,8 @@ struct Table<CliqueOptions> : TableDefaults {
               .range = kZeroOrMore}},
       Option{&CliqueOptions::max_nodes,
              {.name = "max_nodes", .help = "Search nodes to visit, never exceeded"}},
+      Option{&CliqueOptions::max_work,
+             {.name = "max_work", .help = "Word operations, about; 2**30 take about a second"}},
       Option{&CliqueOptions::initial_clique,
              {.name = "initial_clique", .help = "Known clique to start from; may be empty"}},
       Option{&CliqueOptions::must_exceed,

@@ -8,8 +8,11 @@
 namespace gmcr::problem {
 namespace {
 
-/// Word operations that the search for a clique of most evidence may take: what small graphs need,
-/// and no more than some passes over large ones.
+/// Searches by number may take so many times the work of those by weight.
+constexpr std::uint64_t kByNumber = 4;
+
+/// Word operations that a search for a clique by weight may take: what small graphs need, and no
+/// more than some passes over large ones.
 std::uint64_t max_work(const BitsetGraph& graph) {
   constexpr std::uint64_t kLeast = std::uint64_t{1} << 22;
   constexpr std::uint64_t kPasses = 4;
@@ -61,6 +64,8 @@ Run::Clique Run::max_clique(const BitsetGraph& graph, Index must_exceed, std::ui
   clique_options.time_limit = deadline_.remaining();
   clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
+  // a proof is worth more work only where it is asked for
+  if (!options_.certify) clique_options.max_work = kByNumber * max_work(graph);
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
   clique_options.max_memory = memory_left(graph, options_.memory_limit);

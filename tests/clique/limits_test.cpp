@@ -44,6 +44,33 @@ TEST(CliqueLimits, EveryNodeBudgetLeavesAValidBound) {
   }
 }
 
+TEST(CliqueLimits, EveryBudgetOfWorkLeavesAValidBoundTheSameForAnyThreads) {
+  const BitsetGraph graph = test::random_graph(200, 0.9, 5);
+  const CliqueResult full = [&] {
+    CliqueOptions options;
+    options.max_nodes = 200'000;
+    return max_clique(graph, options);
+  }();
+  std::uint64_t nodes_before = 0;
+  for (const std::uint64_t work : {0u, 1u << 16, 1u << 20, 1u << 24, 1u << 26}) {
+    CliqueOptions options;
+    options.max_work = work;
+    options.num_threads = 1;
+    const CliqueResult one = max_clique(graph, options);
+    expect_valid(graph, one, static_cast<Index>(full.vertices.size()));
+    EXPECT_FALSE(one.proven_optimal);
+    EXPECT_GE(one.nodes, nodes_before);
+    nodes_before = one.nodes;
+    options.num_threads = 4;
+    const CliqueResult four = max_clique(graph, options);
+    EXPECT_EQ(four.vertices, one.vertices);
+    EXPECT_EQ(four.upper_bound, one.upper_bound);
+    EXPECT_EQ(four.nodes, one.nodes);
+  }
+  EXPECT_GT(nodes_before, 100u);
+  EXPECT_LT(nodes_before, full.nodes);
+}
+
 TEST(CliqueLimits, EveryNodeBudgetOfTheInnerSearchLeavesAValidBound) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const BitsetGraph graph = test::random_graph(18, 0.3 + 0.015 * static_cast<double>(seed), seed);

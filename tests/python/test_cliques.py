@@ -130,6 +130,7 @@ VALUES = {
     gmcr.CliqueOptions: {
         "time_limit": 3.0,
         "max_nodes": 7,
+        "max_work": 9,
         "initial_clique": [1, 2],
         "must_exceed": 4,
         "num_threads": 2,

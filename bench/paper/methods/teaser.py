@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import subprocess
+from dataclasses import replace
 from functools import cache
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -37,9 +39,11 @@ def built_program(build: Path = BUILD) -> Path | str:
 class Teaser(Method):
     name = "teaser++"
     settings = (
-        "the parameters of its example: cbar2 = 1, GNC-TLS, exact clique; the given noise bound"
+        "the parameters of its example: cbar2 = 1, GNC-TLS, exact clique; the given noise bound; of "
+        "matches whose source points coincide the first, since two make its scale NaN"
     )
     _process: subprocess.Popen[str] | None = None
+    _num_left_out = 0
 
     @classmethod
     def unavailable_reason(cls) -> str | None:
@@ -48,7 +52,21 @@ class Teaser(Method):
         program = built_program()
         return f"no Python module {MODULE}, {program}" if isinstance(program, str) else None
 
+    @classmethod
+    def version(cls) -> str | None:
+        if find_spec(MODULE):
+            try:
+                return metadata.version(MODULE)
+            except metadata.PackageNotFoundError:
+                return "unknown"
+        program = built_program()
+        if isinstance(program, str):
+            return None
+        said = subprocess.run([program, "version"], capture_output=True, text=True).stdout.strip()
+        return said or "unknown"
+
     def prepare(self, problem: Problem, time_limit: float) -> None:
+        problem, self._num_left_out = without_coincident_sources(problem)
         self._solve = self._of_module(problem) if find_spec(MODULE) else self._of_program(problem)
 
     def _of_module(self, problem: Problem) -> Any:
@@ -70,7 +88,7 @@ class Teaser(Method):
             made = solver(parameters)
             made.solve(source, target)
             found = made.getSolution()
-            return found.valid, found.scale, found.rotation, found.translation
+            return True, found.scale, found.rotation, found.translation
 
         return solve
 
@@ -102,4 +120,16 @@ class Teaser(Method):
         is_valid, scale, rotation, translation = result
         if not is_valid:
             return Outcome("no_pose", reason="the solution is not valid")
-        return outcome_of_pose(rotation, translation, scale)
+        outcome = outcome_of_pose(rotation, translation, scale)
+        if self._num_left_out > 0:
+            outcome.reason += f"{self._num_left_out} matches whose source coincides were left out"
+        return outcome
+
+
+def without_coincident_sources(problem: Problem) -> tuple[Problem, int]:
+    """The problem with the first match of each source point, and how many were left out."""
+    first = np.sort(np.unique(problem.source, axis=0, return_index=True)[1])
+    left_out = len(problem.source) - len(first)
+    if left_out == 0:
+        return problem, 0
+    return replace(problem, source=problem.source[first], target=problem.target[first]), left_out

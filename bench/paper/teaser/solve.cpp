@@ -2,15 +2,26 @@
 //
 // Reads from stdin: number of matches, noise bound, whether the scale is unknown (0 or 1), then six
 // numbers a match. After that each further line asks for a solve and is answered by a line: valid
-// (0 or 1), scale, rotation by rows, translation.
+// (0 or 1), scale, rotation by rows, translation. With an argument it says the library's version.
+#include <sys/prctl.h>
 #include <teaser/registration.h>
+#include <unistd.h>
 
 #include <Eigen/Core>
+#include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 
-int main() {
+int main(int argc, char**) {
+  if (argc > 1) return std::puts(TEASER_VERSION) < 0;
+  // who asks may be ended for the time that a solve takes: that ends the solve too
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // the library prints to stdout: what it says goes where errors go, and stdout is for the answers
+  std::FILE* answers = fdopen(dup(STDOUT_FILENO), "w");
+  if (!answers || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
   using Solver = teaser::RobustRegistrationSolver;
   Eigen::Index num_matches = 0;
   Solver::Params parameters;
@@ -28,7 +39,6 @@ int main() {
   }
   if (!std::cin) return 1;
   std::cin.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  std::cout.precision(17);
   const Eigen::IOFormat row(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
   for (std::string line; std::getline(std::cin, line);) {
     // a second solve of one solver would scale its noise bound again
@@ -37,7 +47,11 @@ int main() {
     const auto solution = solver.getSolution();
     const Eigen::Matrix3d rotation = solution.rotation;
     const Eigen::Vector3d translation = solution.translation;
-    std::cout << solution.valid << ' ' << solution.scale << ' ' << rotation.format(row) << ' '
-              << translation.transpose().format(row) << std::endl;
+    std::ostringstream answer;
+    answer.precision(17);
+    answer << solution.valid << ' ' << solution.scale << ' ' << rotation.format(row) << ' '
+           << translation.transpose().format(row) << '\n';
+    std::fputs(answer.str().c_str(), answers);
+    std::fflush(answers);
   }
 }

@@ -52,6 +52,9 @@ class SearchBudget {
     return spent_;
   }
 
+  /// Leaves nothing.
+  void spend_all() { spent_ = true; }
+
   /// A part of this budget: at most `max_nodes` nodes, the work left, the same deadline.
   SearchBudget part(std::uint64_t max_nodes) const {
     SearchBudget part(*this);

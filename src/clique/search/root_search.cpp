@@ -106,7 +106,8 @@ void RootSearch::advance_all(int num_threads) {
     (active_[i]->finished() ? idle_ : unfinished).push_back(std::move(active_[i]));
   }
   active_ = std::move(unfinished);
-  if (!active_.empty() && budget_.nodes_left() == 0) budget_.spend_node(0);
+  if (!active_.empty() && (budget_.nodes_left() == 0 || budget_.work_left() == 0))
+    budget_.spend_all();
 }
 
 void RootSearch::improve_clique() {

@@ -1,7 +1,14 @@
 """The program for TEASER++'s CMake package, built here against a stand-in of its interface."""
 
+import contextlib
+import multiprocessing
+import os
 import shutil
+import time
+from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 from paper import worker
 from paper.methods import teaser
@@ -10,6 +17,9 @@ from paper.problem import easy_problem, errors_of
 HEADER = """
 #pragma once
 #include <Eigen/Dense>
+#include <chrono>
+#include <iostream>
+#include <thread>
 namespace teaser {
 struct RegistrationSolution {
   bool valid = true;
@@ -28,6 +38,8 @@ class RobustRegistrationSolver {
   };
   explicit RobustRegistrationSolver(const Params& params) : params_(params) {}
   void solve(const Eigen::Matrix3Xd& source, const Eigen::Matrix3Xd& target) {
+    std::cout << "Max core number: 10" << std::endl;  // as its clique solver prints
+    if (source.cols() == 7) std::this_thread::sleep_for(std::chrono::seconds(60));
     const Eigen::Matrix4d pose = Eigen::umeyama(source, target, params_.estimate_scaling);
     solution_.scale = std::cbrt(pose.topLeftCorner<3, 3>().determinant());
     solution_.rotation = pose.topLeftCorner<3, 3>() / solution_.scale;
@@ -41,6 +53,7 @@ class RobustRegistrationSolver {
 }
 """
 CONFIG = """
+set(teaserpp_VERSION 1.2.3)
 add_library(teaserpp::teaser_registration INTERFACE IMPORTED)
 target_include_directories(teaserpp::teaser_registration INTERFACE ${CMAKE_CURRENT_LIST_DIR})
 """
@@ -75,6 +88,59 @@ def test_the_program_gets_the_problem_and_answers_each_solve(program, is_scale_k
     timed = worker.time_solves(teaser.Teaser(), exact, 5.0)
     assert timed.outcome.status == "ok"
     assert errors_of(timed.outcome.pose, exact)["mean_point"] < 1e-9
+
+
+def processes_of(program):
+    running = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):  # has just ended
+            if path.read_bytes().split(b"\0")[0] == os.fsencode(program):
+                running.append(path)
+    return running
+
+
+def in_worker(program, connection, problem):
+    teaser.built_program = lambda: program
+    teaser.find_spec = lambda name: None
+    connection.send("ready")
+    worker.time_solves(teaser.Teaser(), problem, 60.0)
+
+
+def test_the_program_ends_with_the_process_that_asked_it(program):
+    easy = easy_problem(True)
+    problem = replace(easy, source=easy.source[:7], target=easy.target[:7])  # on which it sleeps
+    context = multiprocessing.get_context("fork")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=in_worker, args=(program, theirs, problem))
+    process.start()
+    assert ours.recv() == "ready"
+    waited = time.monotonic() + 10
+    while not processes_of(program) and time.monotonic() < waited:
+        time.sleep(0.02)
+    assert len(processes_of(program)) == 1
+    process.kill()
+    process.join()
+    waited = time.monotonic() + 10
+    while processes_of(program) and time.monotonic() < waited:
+        time.sleep(0.02)
+    assert processes_of(program) == []
+
+
+def test_the_version_is_that_of_the_package(program, monkeypatch):
+    monkeypatch.setattr(teaser, "built_program", lambda: program)
+    monkeypatch.setattr(teaser, "find_spec", lambda name: None)
+    assert teaser.Teaser.version() == "1.2.3"
+
+
+def test_of_coincident_sources_the_first_is_kept():
+    easy = easy_problem(True)
+    source = easy.source.copy()
+    source[5] = source[2]
+    kept, left_out = teaser.without_coincident_sources(replace(easy, source=source))
+    assert left_out == 1
+    assert np.array_equal(kept.source, np.delete(source, 5, axis=0))
+    assert np.array_equal(kept.target, np.delete(easy.target, 5, axis=0))
+    assert teaser.without_coincident_sources(easy) == (easy, 0)
 
 
 def test_without_module_and_package_the_reason_names_both(monkeypatch, tmp_path):
