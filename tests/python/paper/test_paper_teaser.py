@@ -91,11 +91,11 @@ def test_the_program_gets_the_problem_and_answers_each_solve(program, is_scale_k
 
 
 def processes_of(program):
-    running = []
+    running = set()
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):  # has just ended
             if path.read_bytes().split(b"\0")[0] == os.fsencode(program):
-                running.append(path)
+                running.add(path)
     return running
 
 
@@ -109,21 +109,22 @@ def in_worker(program, connection, problem):
 def test_the_program_ends_with_the_process_that_asked_it(program):
     easy = easy_problem(True)
     problem = replace(easy, source=easy.source[:7], target=easy.target[:7])  # on which it sleeps
+    idle = processes_of(program)  # of tests before
     context = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe()
     process = context.Process(target=in_worker, args=(program, theirs, problem))
     process.start()
     assert ours.recv() == "ready"
     waited = time.monotonic() + 10
-    while not processes_of(program) and time.monotonic() < waited:
+    while processes_of(program) == idle and time.monotonic() < waited:
         time.sleep(0.02)
-    assert len(processes_of(program)) == 1
+    assert len(processes_of(program) - idle) == 1
     process.kill()
     process.join()
     waited = time.monotonic() + 10
-    while processes_of(program) and time.monotonic() < waited:
+    while processes_of(program) - idle and time.monotonic() < waited:
         time.sleep(0.02)
-    assert processes_of(program) == []
+    assert not processes_of(program) - idle
 
 
 def test_the_version_is_that_of_the_package(program, monkeypatch):
