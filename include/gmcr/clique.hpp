@@ -20,7 +20,7 @@ struct CliqueOptions {
   /// Word operations, about, of the search and of what prepares it; deterministic. 2^30 take about
   /// a second.
   std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
-  std::vector<Index> initial_clique;              ///< known clique to start from; may be empty
+  std::vector<Index> initial_clique;  ///< known clique to start from; may be empty
   /// Report only a clique with more vertices than this; 0 reports any. A search that proves that
   /// there is none returns the best clique it met (maybe none) and `upper_bound` <= this value.
   Index must_exceed = 0;
@@ -66,7 +66,7 @@ struct WeightedCliqueOptions {
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds, >= 0
   std::uint64_t max_nodes =
       std::numeric_limits<std::uint64_t>::max();  ///< search nodes; deterministic
-  /// As in `CliqueOptions`. A search whose first colouring alone may take more than is left is not begun.
+  /// As in `CliqueOptions`. What may take more for its first colouring alone is not begun.
   std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
   /// Bytes for copies of parts of the graph; what needs more is not searched, only bounded.
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();
