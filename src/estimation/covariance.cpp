@@ -16,8 +16,8 @@ namespace {
 /// Relative to the whole: a smaller moment of inertia is that of a line, to rounding.
 constexpr double kRankTolerance = 1e-12;
 
-/// Pairs of matches nearer than so many of their mean bound may share their error: about the radius
-/// of a feature where the bound is that of its key point.
+/// Pairs of matches nearer than so many of their tighter bound may share their error: about the
+/// radius of a feature where the bound is that of its key point.
 constexpr double kSharedWithin = 3;
 constexpr Index kMaxShared = 2000;  ///< matches whose pairs are looked at
 

@@ -21,8 +21,8 @@ namespace gmcr::estimation {
 /// Matches near each other may share their error, as key points do whose descriptors see the same
 /// surface. How much is measured: with g_i the gradient of the fit by match i, whitened, the
 /// covariance grows by  1 + sum g_i . g_j / sum |g_i|^2  over the pairs whose sources and targets
-/// are both within kSharedWithin of their mean bound (Kish 1965: the design effect of a clustered
-/// sample), and never shrinks.
+/// are both within kSharedWithin of their tighter bound (Kish 1965: the design effect of a
+/// clustered sample), and never shrinks.
 /// @param source, target  3 x N, metres.
 /// @param bounds          N noise bounds, metres, > 0.
 /// @param indices         the m columns to use, those within NoiseMixture::kWindow bounds.

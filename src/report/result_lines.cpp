@@ -101,8 +101,8 @@ void add_certificate(Lines& lines, const Result& result, const Options* options)
         Tone::Fair);
   }
   if (certificate.lower != static_cast<Index>(result.inliers.size())) {
-    lines.add_more(fmt::format("{} are held by a pose beside this one, which is the likeliest",
-                               certificate.lower));
+    lines.add_more(
+        fmt::format("{} are held by the pose that was found to hold the most", certificate.lower));
   }
 }
 
