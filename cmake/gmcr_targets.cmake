@@ -6,16 +6,15 @@ function(gmcr_target_defaults target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off
     # false alarms of g++ 12 inside Eigen, and on "literal" + std::string
-    -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict)
+    -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overread)
   if(GMCR_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
 endfunction()
 
-# gmcr_precompile(TARGET OWNER [headers...]): headers that most files of a program include, parsed once and not in each
-# of them, by the OWNER (then with the headers) for all targets of the same flags. Files include what they use all the
-# same: tools/lint reads them without. Not for the library: the Python package, built in a folder of
-# its own, then could not take its objects from the compiler cache.
+# gmcr_precompile(TARGET OWNER [headers...]): headers that most files include, parsed once and not in each of them, by
+# the OWNER (then with the headers) for all targets of the same flags. Files include what they use all the same:
+# tools/lint reads them without.
 function(gmcr_precompile target owner)
   if(target STREQUAL owner)
     target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <functional>
@@ -33,6 +32,7 @@ function(gmcr_module name)
   list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   add_library(${target} STATIC ${arg_SOURCES})
   gmcr_target_defaults(${target})
+  gmcr_precompile(${target} gmcr_geometry)
   target_include_directories(${target}
     PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include ${PROJECT_SOURCE_DIR}/src)
   list(TRANSFORM arg_LINK PREPEND gmcr_)
