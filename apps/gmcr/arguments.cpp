@@ -1,5 +1,7 @@
 #include "arguments.hpp"
 
+#include "choice.hpp"
+
 namespace gmcr::cli {
 
 void add_scale(CLI::App& command, Options& options) {
@@ -12,6 +14,12 @@ void add_scale(CLI::App& command, Options& options) {
           "Search for the scale too: --scale-mode estimated")
       ->excludes(command.get_option("--scale"))
       ->group(kGroup);
+}
+
+void add_required_verdict(CLI::App& command, Verdict& required) {
+  add_choice(command, "--require", required,
+             "Least verdict that counts as a pose: exit with 1 below it")
+      ->group("Answers");
 }
 
 void SolverArguments::add_to(CLI::App& command) {

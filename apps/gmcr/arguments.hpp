@@ -14,6 +14,9 @@ namespace gmcr::cli {
 /// Adds `--scale`, `--scale-mode`, and `--estimate-scale` for its 'estimated'.
 void add_scale(CLI::App& command, Options& options);
 
+/// Adds `--require`: the least verdict with which the tool says that a pose was found.
+void add_required_verdict(CLI::App& command, Verdict& required);
+
 /// Solver options as they are given on the command line.
 struct SolverArguments {
   Options options;

@@ -60,6 +60,7 @@ struct Arguments {
   std::string json_file;
   std::string report;
   bool json = false;
+  Verdict required = Verdict::Untrusted;
 };
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
@@ -125,7 +126,9 @@ ExitCode run(const Arguments& arguments) {
     for (const std::string& path : written) report.line("written", path);
     report.print();
   }
-  return result.registration.status == Status::Ok ? kPoseFound : kNoPose;
+  return result.registration.status == Status::Ok && result.verdict <= arguments.required
+             ? kPoseFound
+             : kNoPose;
 }
 
 }  // namespace
@@ -141,6 +144,7 @@ void add_register_command(CLI::App& app, Work& work) {
       ->default_str("0");
   arguments->solver.add_to(command);
   add_choice(command, "--refine", arguments->refine, "Refinement of the pose")->group("Answers");
+  add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   const auto add_path = [&](const char* name, std::string& path, const char* help,
                             const char* type) {

@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "arguments.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/registration.hpp"
@@ -33,6 +34,8 @@ Examples:
     gmcr solve matches.csv --noise-bound 0.6 --gravity 0 0 -1 --max-tilt 2 --max-translation 20
   odometry says where to look:
     gmcr solve matches.csv --noise-bound 0.6 --initial-pose odometry.txt --max-rotation-error 15
+  exit with 1 unless the matches prove the pose:
+    gmcr solve matches.csv --noise-bound 0.05 --require trusted -o T.txt
   prove the consensus a maximum one, for up to 10 s:
     gmcr solve matches.csv --noise-bound 0.05 --certify --time-limit 10
   the object may be symmetric: the 3 best poses
@@ -49,6 +52,7 @@ struct Arguments {
   std::string inliers_path;
   std::string report_path;
   bool json = false;
+  Verdict required = Verdict::Untrusted;
 };
 
 /// One result, or one for each instance where these were asked for.
@@ -102,7 +106,7 @@ ExitCode run(const Arguments& arguments) {
     if (!arguments.report_path.empty()) report.line("written", arguments.report_path);
     report.print();
   }
-  return is_ok ? kPoseFound : kNoPose;
+  return is_ok && best.verdict <= arguments.required ? kPoseFound : kNoPose;
 }
 
 void add_instance_options(CLI::App& command, InstanceOptions& instances) {
@@ -125,6 +129,7 @@ void add_solve_command(CLI::App& app, Work& work) {
                                  "matches. Required unless MATCHES has a 7th column");
   arguments->solver.add_to(command);
   add_instance_options(command, arguments->instances);
+  add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   command
       .add_option("-o,--output", arguments->transform_path,

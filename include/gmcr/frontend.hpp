@@ -70,16 +70,6 @@ struct CloudMatches {
   std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
 };
 
-/// How far the pose of two clouds can be relied on.
-enum class Verdict {
-  Trusted,    ///< many more matches agree than chance explains, and the surfaces meet
-  Doubtful,   ///< plausible, but check it
-  Untrusted,  ///< what chance alone would give, or no pose at all
-};
-
-/// "trusted", "doubtful" or "untrusted".
-const char* to_string(Verdict verdict);
-
 struct CloudResult {
   /// Pose and inliers; `inliers` index the columns of `matches.source`. Its diagnostics hold the
   /// stages of the front end too, summed over the attempts.
@@ -95,6 +85,8 @@ struct CloudResult {
   double overlap_rmse = 0;  ///< RMS distance of those points, metres
   /// The same share the other way round: of `matches.target_voxels` near the transformed source.
   double target_fitness = 0;
+  /// What the surfaces and the matches say of the pose; that of `registration` speaks of the
+  /// matches alone.
   Verdict verdict = Verdict::Untrusted;
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried

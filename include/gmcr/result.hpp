@@ -22,6 +22,16 @@ enum class Status {
   Degenerate,  ///< the inliers do not determine the transform; it is one of many that fit
 };
 
+/// How far a pose can be relied on.
+enum class Verdict {
+  Trusted,    ///< much more agrees than chance explains
+  Doubtful,   ///< plausible, but check it
+  Untrusted,  ///< what chance alone would give, or no pose at all
+};
+
+/// "trusted", "doubtful" or "untrusted".
+const char* to_string(Verdict verdict);
+
 /// How far the evidence of the consensus can be from the best possible.
 struct EvidenceCertificate {
   double lower = 0;        ///< that of `Certificate::inliers`
@@ -153,6 +163,13 @@ struct Result {
   /// Sum of the evidence of the inliers: their number with `Evidence::Count`, less where some of
   /// them are the same evidence seen twice with `Evidence::Distinct`.
   double evidence = 0;
+  /// What the matches say of the pose: whether chance explains so many inliers, whether these are
+  /// few things said often, and whether a reflection fits better.
+  Verdict verdict = Verdict::Untrusted;
+  std::string verdict_reason;  ///< one sentence
+  /// log10 of the expected number of consensus sets as large among random matches of the same
+  /// points; the more negative, the surer. Above 0 chance explains it; 0 where there is no pose.
+  double log10_false_alarms = 0;
   Certificate certificate;
   /// Scales at which all pairs of inliers agree (L1); contains that of the transform. min == max
   /// where the scale is known; 0 to infinity where all inliers coincide in the source. Wider than

@@ -177,6 +177,13 @@ void bind_results(nb::module_& module) {
                  "(m,) int64, ascending indices of the correspondences within their bound, read\n"
                  "only.")
           .field("evidence", &Result::evidence, "Sum of the evidence of the inliers.")
+          .field("verdict", &Result::verdict,
+                 "'trusted', 'doubtful' or 'untrusted': whether chance explains so many inliers,\n"
+                 "whether these are few things said often, whether a reflection fits better.")
+          .field("verdict_reason", &Result::verdict_reason, "One sentence.")
+          .field("log10_false_alarms", &Result::log10_false_alarms,
+                 "log10 of the expected number of consensus sets as large among random matches of\n"
+                 "the same points; above 0 chance explains it; 0 where there is no pose.")
           .field("certificate", &Result::certificate,
                  "How far the consensus can be from the best possible.")
           .field("consistent_scales", &Result::consistent_scales,

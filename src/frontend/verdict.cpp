@@ -45,19 +45,3 @@ void judge(CloudResult& result) {
 }
 
 }  // namespace gmcr::frontend
-
-namespace gmcr {
-
-const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Trusted:
-      return "trusted";
-    case Verdict::Doubtful:
-      return "doubtful";
-    case Verdict::Untrusted:
-      return "untrusted";
-  }
-  return "unknown";
-}
-
-}  // namespace gmcr

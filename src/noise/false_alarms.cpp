@@ -25,7 +25,7 @@ double log_choose(const std::vector<double>& log_factorial, Index n, Index k) {
 
 }  // namespace
 
-PairDistances::PairDistances(const PointsRef& points) {
+PairDistances::PairDistances(const PointsRef& points, const PointsRef& others) {
   // Pairs at a few distances along the (cyclic) order, spread evenly.
   const Index n = points.cols(), num_shifts = n / 2;
   constexpr Index kMinShifts = 4;
@@ -33,7 +33,7 @@ PairDistances::PairDistances(const PointsRef& points) {
   for (Index k = 1; k <= used; ++k) {
     const Index shift = k * num_shifts / used;
     for (Index i = 0; i < n; ++i) {
-      const double distance = (points.col((i + shift) % n) - points.col(i)).norm();
+      const double distance = (others.col((i + shift) % n) - points.col(i)).norm();
       if (distance > 0) sorted_.push_back(distance);
     }
   }
@@ -44,28 +44,21 @@ PairDistances::PairDistances(const PointsRef& points) {
   const std::size_t last = sorted_.size() - 1;
   const std::size_t low = std::min<std::size_t>(10, last / 20);
   const std::size_t high = std::min(10 * low + 9, last);
-  tail_radius_ = sorted_[low];
-  tail_share_ = static_cast<double>(low + 1) / static_cast<double>(sorted_.size());
-  if (sorted_[high] > sorted_[low]) {
-    const double ratio = static_cast<double>(high + 1) / static_cast<double>(low + 1);
-    tail_power_ = std::clamp(std::log(ratio) / std::log(sorted_[high] / sorted_[low]), 1.0, 3.0);
-  }
+  tail_ = Tail::through(sorted_[low], low, sorted_[high], high, sorted_.size());
 }
 
 double PairDistances::median() const { return empty() ? 0 : sorted_[sorted_.size() / 2]; }
 
 double PairDistances::share_within(double radius) const {
   if (empty()) return 1;
-  if (radius < tail_radius_) {
-    return tail_share_ * std::pow(radius / tail_radius_, tail_power_);
-  }
+  if (radius < tail_.radius) return tail_.share_within(radius);
   const auto end = std::upper_bound(sorted_.begin(), sorted_.end(), radius);
   return static_cast<double>(end - sorted_.begin()) / static_cast<double>(sorted_.size());
 }
 
 FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
                                const PairDistances& source, const PairDistances& target,
-                               double rounding) {
+                               const PairDistances& between, double rounding) {
   FalseAlarms alarms;
   const Index n = residuals.size();
   if (n <= kMinSample) return alarms;
@@ -75,7 +68,8 @@ FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
   for (Index k = kMinSample + 1; k <= n; ++k) {
     const double residual = std::max(sorted[static_cast<std::size_t>(k - 1)], rounding);
     const double alpha =
-        std::max(target.share_within(residual), source.share_within(residual / scale));
+        std::min(std::max(target.share_within(residual), source.share_within(residual / scale)),
+                 between.share_within(residual));
     alarms.residuals.push_back(residual);
     alarms.log10.push_back(std::log10(static_cast<double>(n - kMinSample)) +
                            log_choose(log_factorial, n, k) +

@@ -3,15 +3,21 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "noise/chance.hpp"
 
 namespace gmcr::noise {
 
-/// How near to each other points of a cloud lie by chance: distances of pairs of its points, all of
-/// them or an even selection, without those that coincide.
+/// How near to each other points lie by chance: distances of pairs of points, all of them or an
+/// even selection, without those that coincide.
 class PairDistances {
  public:
-  explicit PairDistances(const PointsRef& points);
+  /// Of the points of one cloud.
+  explicit PairDistances(const PointsRef& points) : PairDistances(points, points) {}
+
+  /// Of a point of one cloud and one of another that is not its partner; as many columns each.
+  PairDistances(const PointsRef& points, const PointsRef& others);
 
   bool empty() const { return sorted_.empty(); }
 
@@ -24,7 +30,7 @@ class PairDistances {
 
  private:
   std::vector<double> sorted_;
-  double tail_radius_ = 0, tail_share_ = 1, tail_power_ = 1;
+  Tail tail_;
 };
 
 /// How surely each set of correspondences of least residual is no work of chance. Entry m speaks of
@@ -44,13 +50,16 @@ struct FalseAlarms {
 ///
 /// Deviation: alpha_k comes from how near the points of the clouds lie to each other, the larger of
 /// the shares in the target's and in the source's frame, and not from the volume of a box: it holds
-/// for flat and uneven scenes, and a pose that shrinks the source onto a point explains nothing.
+/// for flat and uneven scenes, and a pose that shrinks the source onto a point explains nothing. It
+/// is at most the share of the images of the sources that lie as near to a target that is not
+/// theirs: a cluster of wrong targets draws nothing to itself where no image is.
 /// @param residuals  N values, metres.
+/// @param between    distances of targets and images.
 /// @param rounding   metres, > 0: a residual below it counts as that.
 /// @return empty where N <= 3: nothing is unlikely then.
 /// Cost O(N log N).
 FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
                                const PairDistances& source, const PairDistances& target,
-                               double rounding);
+                               const PairDistances& between, double rounding);
 
 }  // namespace gmcr::noise

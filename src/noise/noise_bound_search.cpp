@@ -193,9 +193,10 @@ void NoiseBoundSearch::try_bound(double bound, Index count) {
   if (!trials_.back().pose) return;
 
   Trial& trial = trials_.back();
-  const Eigen::ArrayXd residuals = (target_ - trial.pose->apply(source_)).colwise().norm();
+  const Points images = trial.pose->apply(source_);
+  const Eigen::ArrayXd residuals = (target_ - images).colwise().norm();
   trial.alarms = count_false_alarms(residuals, trial.pose->scale, source_distances_,
-                                    target_distances_, rounding_);
+                                    target_distances_, PairDistances(images, target_), rounding_);
   choose();
 }
 

@@ -9,6 +9,7 @@
 #include "proof/certificate.hpp"
 #include "registration/degeneracy.hpp"
 #include "registration/uncertainty.hpp"
+#include "registration/verdict.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -88,21 +89,23 @@ void describe_uncertainty(Result& result, const Problem& problem, Run& run) {
 }
 
 /// An answer without a pose.
-Result no_pose(Status status, const std::string& reason, const Found& found,
+Result no_pose(Status status, const std::string& reason, const Problem& problem, const Found& found,
                double evidence_upper_bound) {
   Result result;
   result.status = status;
   result.status_reason = reason;
   result.certificate = proof::certify(0, found.upper_bound, 0, evidence_upper_bound);
+  judge_without_pose(result, problem.input().source, problem.input().target, problem.options());
   return result;
 }
 
 Result too_small(const Problem& problem, const Found& found) {
   const std::string count = std::to_string(problem.size()) + " correspondences; 3 are needed";
   return problem.size() == problem.input().size()
-             ? no_pose(Status::TooFewCorrespondences, count, found, found.evidence_upper_bound)
-             : no_pose(Status::NoConsensus, "the priors on the translation admit " + count, found,
-                       found.evidence_upper_bound);
+             ? no_pose(Status::TooFewCorrespondences, count, problem, found,
+                       found.evidence_upper_bound)
+             : no_pose(Status::NoConsensus, "the priors on the translation admit " + count, problem,
+                       found, found.evidence_upper_bound);
 }
 
 std::string no_pose_reason(const Problem& problem, const Run& run) {
@@ -131,7 +134,8 @@ Result judged_answer(const Problem& problem, const Found& found,
   std::vector<Judged> judged =
       judge_all(problem, found, fitted, all_used ? &problem.objective() : nullptr, on_input);
   if (judged.empty()) {
-    return no_pose(Status::NoConsensus, no_pose_reason(problem, run), found, evidence_upper_bound);
+    return no_pose(Status::NoConsensus, no_pose_reason(problem, run), problem, found,
+                   evidence_upper_bound);
   }
   const auto& [held, returned] = judged.front();
   Result result;
@@ -148,6 +152,7 @@ Result judged_answer(const Problem& problem, const Found& found,
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
   result.alternatives = distinct_alternatives(std::move(judged));
   describe_uncertainty(result, problem, run);
+  judge(result, problem, run);
   return result;
 }
 

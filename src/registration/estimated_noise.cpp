@@ -7,6 +7,7 @@
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
 #include "proof/certificate.hpp"
+#include "registration/verdict.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -29,10 +30,13 @@ Options remaining_options(const Options& options, const noise::ChosenNoise& chos
 }
 
 /// The answer where no consensus stands out.
-Result no_consensus(const Options& options, Index count, const std::string& reason) {
+Result no_consensus(const PointsRef& source, const PointsRef& target, const Options& options,
+                    const std::string& reason) {
+  const Index count = source.cols();
   Result result;
   result.status = Status::NoConsensus;
   result.status_reason = reason;
+  judge_without_pose(result, source, target, options);
   result.certificate = proof::certify(0, count, 0, static_cast<double>(count));
   result.diagnostics.num_correspondences = count;
   result.diagnostics.num_used = count;
@@ -56,7 +60,7 @@ Result with_noise_bound(const PointsRef& source, const PointsRef& target, const 
   const noise::ChosenNoise chosen = noise::choose_noise(source, target, options);
   const bool stands_out = chosen.estimate && chosen.estimate->log10_false_alarms < 0;
   Result result = stands_out ? solve(source, target, remaining_options(options, chosen, deadline))
-                             : no_consensus(options, source.cols(), no_consensus_reason(chosen));
+                             : no_consensus(source, target, options, no_consensus_reason(chosen));
   if (!chosen.estimate) return result;
   result.noise_estimate = chosen.estimate;
   Diagnostics& diagnostics = result.diagnostics;

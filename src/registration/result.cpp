@@ -31,6 +31,18 @@ const char* to_string(Status status) {
   return "unknown";
 }
 
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Trusted:
+      return "trusted";
+    case Verdict::Doubtful:
+      return "doubtful";
+    case Verdict::Untrusted:
+      return "untrusted";
+  }
+  return "unknown";
+}
+
 const char* to_string(Limit limit) {
   switch (limit) {
     case Limit::Time:

@@ -6,17 +6,6 @@ namespace gmcr {
 namespace report {
 namespace {
 
-Tone tone_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Trusted:
-      return Tone::Good;
-    case Verdict::Doubtful:
-      return Tone::Fair;
-    default:
-      return Tone::Bad;
-  }
-}
-
 std::string cloud_text(Index num_points, const Points& voxels, double voxel_size) {
   return fmt::format("{} points, {} voxels of {:.4g}", num_points, voxels.cols(), voxel_size);
 }
@@ -48,8 +37,7 @@ std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
   lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
                                    100 * result.fitness));
   if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));
-  lines.add("verdict", fmt::format("{}: {}", to_string(result.verdict), result.verdict_reason),
-            report::tone_of(result.verdict));
+  report::add_verdict(lines, result.verdict, result.verdict_reason);
   return std::move(lines).take();
 }
 

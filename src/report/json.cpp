@@ -108,6 +108,9 @@ Json instance_fields(const Result& result, const Options* options,
   json["num_correspondences"] = result.diagnostics.num_correspondences;
   json["num_used"] = result.diagnostics.num_used;
   set_consensus(json, result.inliers, result.evidence);
+  json["verdict"] = to_string(result.verdict);
+  json["verdict_reason"] = result.verdict_reason;
+  json["log10_false_alarms"] = result.log10_false_alarms;
   json["certificate"] = fields_of(result.certificate);
   json["consistent_scales"] = pair_of(result.consistent_scales);
   json["covariance"] = fields_of(result.covariance);

@@ -27,6 +27,9 @@ class Lines {
 /// Status, pose, inliers, certificate, how sure they are, times and limits.
 void add_result(Lines& lines, const Result& result, Detail detail, const ReportContext& context);
 
+/// The verdict in its colour, with its reason.
+void add_verdict(Lines& lines, Verdict verdict, const std::string& reason);
+
 /// "0.286 deg about (0.0000, 0.0000, 1.0000)".
 std::string rotation_text(const Eigen::Matrix3d& rotation);
 

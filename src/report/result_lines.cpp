@@ -163,7 +163,22 @@ void add_work(Lines& lines, const Diagnostics& diagnostics, Detail detail,
   for (const LimitHit& hit : diagnostics.limits_hit) lines.add("limit", hit.sentence, Tone::Fair);
 }
 
+Tone tone_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Trusted:
+      return Tone::Good;
+    case Verdict::Doubtful:
+      return Tone::Fair;
+    default:
+      return Tone::Bad;
+  }
+}
+
 }  // namespace
+
+void add_verdict(Lines& lines, Verdict verdict, const std::string& reason) {
+  lines.add("verdict", fmt::format("{}: {}", to_string(verdict), reason), tone_of(verdict));
+}
 
 std::string rotation_text(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn(rotation);
@@ -184,7 +199,7 @@ void add_result(Lines& lines, const Result& result, Detail detail, const ReportC
   lines.add("status",
             is_ok ? std::string("pose found")
                   : fmt::format("{}: {}", to_string(result.status), result.status_reason),
-            is_ok ? Tone::Good : Tone::Bad);
+            is_ok ? Tone::Plain : Tone::Bad);
   if (is_ok || result.status == Status::Degenerate) {
     add_pose(lines, result.target_from_source, detail);
   }
@@ -213,6 +228,7 @@ std::vector<ReportLine> report_lines(const Result& result, Detail detail,
                                      const ReportContext& context) {
   report::Lines lines;
   report::add_result(lines, result, detail, context);
+  report::add_verdict(lines, result.verdict, result.verdict_reason);
   return std::move(lines).take();
 }
 

@@ -180,5 +180,23 @@ TEST(Covariance, IsNullWithoutAPose) {
   EXPECT_TRUE(result.at("covariance").is_null());
 }
 
+TEST_F(AnswerOption, RequiredVerdictDecidesOnTheExitCode) {
+  const json result = solve("--require trusted");
+  EXPECT_EQ(result.at("verdict"), "trusted");
+  EXPECT_LT(result.at("log10_false_alarms").get<double>(), -6);
+  EXPECT_TRUE(shows(run_tool(command("")), "verdict       trusted: chance"));
+
+  // three matches agree with many poses
+  const test::TemporaryFolder folder;
+  const auto few =
+      folder.write("few.csv", "ax,ay,az,bx,by,bz\n0,0,0,0,0,0\n1,0,0,1,0,0\n0,2,0,0,2,0\n");
+  const std::string solve_few = "solve '" + few.string() + "' --noise-bound 0.01";
+  EXPECT_EQ(run_json(solve_few).at("verdict"), "untrusted");
+  EXPECT_EQ(run_json(solve_few + " --require trusted", 1).at("status"), "ok");
+  EXPECT_EQ(run_json(solve_few + " --require doubtful", 1).at("status"), "ok");
+  EXPECT_EQ(run_json(solve_few + " --require untrusted").at("status"), "ok");
+  expect_failure(solve_few + " --require sure", 2, "'sure' is none of trusted|doubtful|untrusted");
+}
+
 }  // namespace
 }  // namespace gmcr

@@ -68,7 +68,8 @@ TEST(CountFalseAlarms, FollowsTheFormula) {
   const PairDistances distances(cloud);
   Eigen::ArrayXd residuals(20);
   for (Index i = 0; i < 20; ++i) residuals[i] = random.uniform(0.01, 1);
-  const FalseAlarms alarms = count_false_alarms(residuals, 1, distances, distances, 1e-12);
+  const FalseAlarms alarms =
+      count_false_alarms(residuals, 1, distances, distances, distances, 1e-12);
   std::sort(residuals.begin(), residuals.end());
   ASSERT_EQ(alarms.log10.size(), 17u);
   for (int k = 4; k <= 20; ++k) {
@@ -84,29 +85,52 @@ TEST(CountFalseAlarms, OfThreeOrFewerIsEmpty) {
   const PairDistances distances(testing::RandomGeometry(4).in_cube(3));
   for (const Index count : {0, 1, 2, 3}) {
     EXPECT_TRUE(
-        count_false_alarms(Eigen::ArrayXd::Zero(count), 1, distances, distances, 1e-9).empty());
+        count_false_alarms(Eigen::ArrayXd::Zero(count), 1, distances, distances, distances, 1e-9)
+            .empty());
   }
 }
 
 TEST(CountFalseAlarms, OfExactDataIsFiniteAndAgainstChance) {
   const PairDistances distances(testing::RandomGeometry(5).in_cube(50));
   const FalseAlarms alarms =
-      count_false_alarms(Eigen::ArrayXd::Zero(50), 1, distances, distances, 1e-12);
+      count_false_alarms(Eigen::ArrayXd::Zero(50), 1, distances, distances, distances, 1e-12);
   EXPECT_TRUE(std::isfinite(alarms.log10.back()));
   EXPECT_LT(alarms.log10.back(), -100);
   EXPECT_EQ(alarms.residuals.front(), 1e-12);
 }
 
 TEST(CountFalseAlarms, OfAPoseThatShrinksTheSourceOntoAPointAreMany) {
-  // all targets near one point: every residual of a tiny copy of the source there is small
+  // every residual of a tiny copy of the source in the middle of the targets is small
   testing::RandomGeometry random(6);
-  const PairDistances source(random.in_cube(50)), target(random.in_cube(50));
+  const Points source = random.in_cube(50), target = random.in_cube(50);
   const Eigen::ArrayXd residuals = Eigen::ArrayXd::Constant(50, 0.01);
-  const auto least = [](const FalseAlarms& alarms) {
+  const auto least = [&](double scale) {
+    const FalseAlarms alarms =
+        count_false_alarms(residuals, scale, PairDistances(source), PairDistances(target),
+                           PairDistances(scale * source, target), 1e-12);
     return *std::min_element(alarms.log10.begin(), alarms.log10.end());
   };
-  EXPECT_LT(least(count_false_alarms(residuals, 1, source, target, 1e-12)), -10);
-  EXPECT_GT(least(count_false_alarms(residuals, 0.005, source, target, 1e-12)), 0);
+  EXPECT_LT(least(1), -10);
+  const Points near = 0.005 * target;  // where all targets are near it, chance explains all
+  const FalseAlarms alarms =
+      count_false_alarms(residuals, 0.005, PairDistances(source), PairDistances(near),
+                         PairDistances(0.005 * source, near), 1e-12);
+  EXPECT_GT(*std::min_element(alarms.log10.begin(), alarms.log10.end()), 0);
+}
+
+TEST(CountFalseAlarms, ClusterOfTargetsWhereNoImageIsExplainsNothing) {
+  testing::RandomGeometry random(7);
+  const Points source = random.in_cube(60);
+  Points target = source;
+  for (Index i = 20; i < 60; ++i) {
+    target.col(i) = Eigen::Vector3d(3, 3, 3) + random.in_ball(0.01);
+  }
+  const PairDistances from(source), to(target), between(source, target);
+  const Eigen::ArrayXd residuals = (source - target).colwise().norm();
+  const double with = count_false_alarms(residuals, 1, from, to, between, 1e-3).log10[16];
+  const double without = count_false_alarms(residuals, 1, from, to, to, 1e-3).log10[16];
+  EXPECT_LT(with, -30);
+  EXPECT_GT(without, with + 10);
 }
 
 }  // namespace

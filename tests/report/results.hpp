@@ -14,6 +14,9 @@ inline Result make_result() {
   result.target_from_source.translation << 1, 2, 3;
   result.inliers = {1, 4, 7};
   result.evidence = 2.5;
+  result.verdict = Verdict::Trusted;
+  result.verdict_reason = "chance would give this once in 10^9";
+  result.log10_false_alarms = -9.5;
   result.certificate = {4, 5, false, {3.25, 4.5, false}, {}, {1, 4, 6, 7}};
   result.certificate.target_from_source = result.target_from_source;
   result.certificate.target_from_source.translation << 1.5, 2, 3;

@@ -33,7 +33,8 @@ TEST(Report, SaysAllThatTheToolPrints) {
         "              4 are held by the pose that was found to hold the most\n",
         "evidence      3.2, at most 4.5 possible\n", "time          2.00 s with 14 threads\n",
         "              graph                  250.00 ms\n",
-        "limit         the time budget ended the search\n"}) {
+        "limit         the time budget ended the search\n",
+        "verdict       trusted: chance would give this once in 10^9\n"}) {
     EXPECT_TRUE(says(text, line));
   }
 }
@@ -109,7 +110,7 @@ TEST(Report, OfInstancesHasARowForEachThatWasFound) {
   Result none;
   const std::string text = to_text(report_lines({make_result(), none}, Detail::Full));
   EXPECT_TRUE(says(text, "instances     1 found\n"));
-  EXPECT_TRUE(says(text, " 1        3       2.5  90.000 deg about"));
+  EXPECT_TRUE(says(text, " 1        3       2.5  trusted    90.000 deg about"));
 }
 
 TEST(Report, OfCloudsEndsWithTheVerdict) {

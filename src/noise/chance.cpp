@@ -1,0 +1,101 @@
+#include "noise/chance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace gmcr::noise {
+namespace {
+
+constexpr std::size_t kFew = 10;  // values that tell a share
+
+// Pairs that are looked at: enough for a share of 1 in 100, and more where that costs little.
+constexpr Index kLeastSample = 1000;
+constexpr Index kMostSample = 20'000;
+constexpr Index kSampleShare = 8;  // of each correspondence
+
+/// Numbers that look random and are the same every time (splitmix64).
+class Shuffle {
+ public:
+  /// In [0, count).
+  Index next(Index count) {
+    std::uint64_t x = state_ += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    x ^= x >> 31;
+    return static_cast<Index>(((x >> 32) * static_cast<std::uint64_t>(count)) >> 32);
+  }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+double log10_choose(double n, double k) {
+  return (std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1)) / std::log(10.0);
+}
+
+}  // namespace
+
+Tail Tail::through(double low, std::size_t low_rank, double high, std::size_t high_rank,
+                   std::size_t count) {
+  Tail tail{low, static_cast<double>(low_rank + 1) / static_cast<double>(count), 1};
+  if (high > low && low > 0) {
+    const double ratio = static_cast<double>(high_rank + 1) / static_cast<double>(low_rank + 1);
+    tail.power = std::clamp(std::log(ratio) / std::log(high / low), 1.0, 3.0);
+  }
+  return tail;
+}
+
+double Tail::share_within(double r) const {
+  return r < radius ? share * std::pow(r / radius, power) : share;
+}
+
+double share_within(std::vector<double>& values, double radius) {
+  if (values.empty()) return 1;
+  const auto within = static_cast<std::size_t>(
+      std::count_if(values.begin(), values.end(), [&](double value) { return value <= radius; }));
+  if (within > kFew || within == values.size()) {
+    return static_cast<double>(within) / static_cast<double>(values.size());
+  }
+  const std::size_t low = std::min(kFew, values.size() / 20);
+  const std::size_t high = std::min(10 * low + 9, values.size() - 1);
+  const auto at = [&](std::size_t rank) {
+    return values.begin() + static_cast<std::ptrdiff_t>(rank);
+  };
+  std::nth_element(values.begin(), at(high), values.end());
+  const double high_value = *at(high);
+  std::nth_element(values.begin(), at(low), at(high));
+  return Tail::through(*at(low), low, high_value, high, values.size()).share_within(radius);
+}
+
+Chance measure_chance(const problem::CallerCorrespondences& all, const problem::CallerPose& pose) {
+  const Index n = all.size();
+  if (n < 2) return {};
+  const Index count = std::clamp(kSampleShare * n, kLeastSample, kMostSample);
+  const Similarity& transform = pose.similarity;
+  const Eigen::Matrix3d linear = transform.scale * transform.rotation;
+  std::vector<double> distances(static_cast<std::size_t>(count)), lengths(distances.size());
+  Shuffle shuffle;
+  // The source of one and the target of another: a random correspondence.
+  Index i = shuffle.next(n), j = (i + 1 + shuffle.next(n - 1)) % n;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    const Index last_i = i, last_j = j;
+    i = shuffle.next(n);
+    j = (i + 1 + shuffle.next(n - 1)) % n;
+    const Eigen::Vector3d image = linear * all.source.col(i) + transform.translation;
+    distances[k] = (all.target.col(j) - image).norm() / all.bounds[i];
+    const double from = transform.scale * (all.source.col(i) - all.source.col(last_i)).norm();
+    const double to = (all.target.col(j) - all.target.col(last_j)).norm();
+    lengths[k] = std::abs(to - from) / (all.bounds[i] + all.bounds[last_i]);
+  }
+  return {share_within(distances, 1), share_within(lengths, 1)};
+}
+
+double log10_false_alarms(double k, double n, int num_lengths, const Chance& chance) {
+  constexpr double kMinSample = 3;
+  if (k <= kMinSample) return std::max(0.0, log10_choose(std::max(n, k), k));
+  return log10_choose(n, k) + log10_choose(k, kMinSample) +
+         num_lengths * std::log10(chance.length) + (k - kMinSample) * std::log10(chance.inlier);
+}
+
+}  // namespace gmcr::noise

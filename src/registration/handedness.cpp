@@ -1,0 +1,87 @@
+#include "registration/handedness.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <numeric>
+
+#include "estimation/similarity_fit.hpp"
+
+namespace gmcr::registration {
+namespace {
+
+using problem::CallerCorrespondences;
+
+// How thick a flat set is, in noise bounds: RMS distance from the plane of most of its points. Some
+// of them are inliers by chance.
+constexpr double kFlat = 2;
+constexpr double kMost = 0.7;
+constexpr int kPlaneFits = 3;
+
+// Reach of the fits, in noise bounds: what is near the plane first, then what is farther off it.
+constexpr double kReaches[] = {16, 8, 4, 2, 1, 1};
+
+struct Plane {
+  Eigen::Vector3d point, normal;
+  double thickness = 0, width = 0;  ///< RMS distance from the plane, and along its short side
+};
+
+Plane fit_plane(const Points& points) {
+  const Eigen::Vector3d centroid = points.rowwise().mean();
+  const Points centred = points.colwise() - centroid;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
+      Eigen::Matrix3d(centred * centred.transpose()) / static_cast<double>(points.cols()));
+  const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+  return {centroid, axes.eigenvectors().col(0), deviations[0], deviations[1]};
+}
+
+/// Plane of most of the points: the farthest ones are left out.
+Plane fit_plane_to_most(Points points) {
+  Plane plane = fit_plane(points);
+  for (int fit = 0; fit < kPlaneFits; ++fit) {
+    const Eigen::ArrayXd distances =
+        (plane.normal.transpose() * (points.colwise() - plane.point)).cwiseAbs().transpose();
+    std::vector<Index> nearest(static_cast<std::size_t>(points.cols()));
+    std::iota(nearest.begin(), nearest.end(), Index{0});
+    std::stable_sort(nearest.begin(), nearest.end(),
+                     [&](Index i, Index j) { return distances[i] < distances[j]; });
+    nearest.resize(std::max<std::size_t>(
+        3, static_cast<std::size_t>(kMost * static_cast<double>(nearest.size()))));
+    plane = fit_plane(points(Eigen::all, nearest));
+  }
+  return plane;
+}
+
+std::vector<Index> within(const CallerCorrespondences& all, const Points& mirrored,
+                          const Similarity& pose, double factor) {
+  std::vector<Index> found;
+  for (Index i = 0; i < all.size(); ++i) {
+    const double residual = (all.target.col(i) - pose * Eigen::Vector3d(mirrored.col(i))).norm();
+    if (residual <= factor * all.bounds[i]) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace
+
+Index reflected_inliers(const CallerCorrespondences& all, const problem::CallerPose& pose,
+                        const std::vector<Index>& inliers, const ScaleRange& scales) {
+  if (inliers.size() < 4) return 0;  // three are always flat
+  const Plane plane = fit_plane_to_most(all.source(Eigen::all, inliers));
+  const double flat = kFlat * all.bounds(inliers).maxCoeff() / pose.scale();
+  if (plane.thickness > flat || plane.width <= flat) return 0;
+
+  // A reflection is a rotation of the mirrored source.
+  const Points mirrored =
+      all.source -
+      2 * plane.normal * (plane.normal.transpose() * (all.source.colwise() - plane.point));
+  Similarity reflected = pose.similarity;
+  for (const double reach : kReaches) {
+    const auto fit = estimation::fit_similarity(mirrored, all.target, all.bounds,
+                                                within(all, mirrored, reflected, reach), scales);
+    if (!fit) return 0;
+    reflected = *fit;
+  }
+  return static_cast<Index>(within(all, mirrored, reflected, 1).size());
+}
+
+}  // namespace gmcr::registration
