@@ -30,8 +30,19 @@ class Shuffle {
   std::uint64_t state_ = 0;
 };
 
+constexpr double kTriple = 3;
+
 double log10_choose(double n, double k) {
   return (std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1)) / std::log(10.0);
+}
+
+/// log10 of P(X >= k), X ~ Binomial(n, p), from above: its first term, and the others as a
+/// geometric series.
+double log10_tail(double k, double n, double p) {
+  if (k <= n * p) return 0;
+  const double first = log10_choose(n, k) + k * std::log10(p) + (n - k) * std::log10(1 - p);
+  const double ratio = (n - k) * p / ((k + 1) * (1 - p));  // < 1 above the mean
+  return std::min(0.0, first - std::log10(1 - ratio));
 }
 
 }  // namespace
@@ -92,10 +103,10 @@ Chance measure_chance(const problem::CallerCorrespondences& all, const problem::
 }
 
 double log10_false_alarms(double k, double n, int num_lengths, const Chance& chance) {
-  constexpr double kMinSample = 3;
-  if (k <= kMinSample) return std::max(0.0, log10_choose(std::max(n, k), k));
-  return log10_choose(n, k) + log10_choose(k, kMinSample) +
-         num_lengths * std::log10(chance.length) + (k - kMinSample) * std::log10(chance.inlier);
+  if (k <= kTriple) return n > kTriple ? std::max(0.0, log10_choose(n, kTriple)) : 0;
+  return log10_choose(n, kTriple) - log10_choose(k, kTriple) +
+         num_lengths * std::log10(chance.length) +
+         log10_tail(k - kTriple, n - kTriple, chance.inlier);
 }
 
 }  // namespace gmcr::noise

@@ -36,16 +36,15 @@ struct Chance {
 /// Cost O(min(N, 2,500)).
 Chance measure_chance(const problem::CallerCorrespondences& all, const problem::CallerPose& pose);
 
-/// log10 of the expected number of sets of k correspondences among n random ones that agree as
-/// these do:
-///   NFA(k) = C(n, k) C(k, 3) delta^c alpha^(k - 3),
-/// which sets there are, which three of them tell the pose, that the lengths between these three
-/// agree, and that the others agree with their pose (a contrario: Moisan and Stival 2004).
-/// Deviation: alpha and delta are measured on the points, not on a box around them, and delta says
-/// that not any three correspondences have a pose.
-/// @param k, n         0 <= k <= n; no whole numbers where copies count once.
+/// log10 of the expected number of consensus sets of at least k among n random correspondences:
+///   NFA(k) = C(n, 3) delta^c / C(k, 3) P(X >= k - 3),  X ~ Binomial(n - 3, alpha),
+/// the triples that tell a pose, of which each set has C(k, 3), times the chance that their pose
+/// holds as many of the others (a contrario: Moisan and Stival 2004).
+/// Deviation: alpha and delta are measured on the points, not on a box around them; delta says that
+/// not any three correspondences have a pose.
+/// @param k, n         3 <= k <= n for a number below 0; no whole numbers where copies count once.
 /// @param num_lengths  c: 3, or 2 where the scale is free.
-/// @return above 0 where k <= 3.
+/// @return 0 or more where k <= 3.
 double log10_false_alarms(double k, double n, int num_lengths, const Chance& chance);
 
 }  // namespace gmcr::noise

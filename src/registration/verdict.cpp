@@ -9,7 +9,6 @@
 
 #include "geometry/units.hpp"
 #include "noise/chance.hpp"
-#include "noise/false_alarms.hpp"
 #include "registration/handedness.hpp"
 
 namespace gmcr::registration {
@@ -46,17 +45,30 @@ Distinct distinct_evidence(const Problem& problem, const Result& result) {
   return {on_input.evidence_of(result.inliers, scale), on_input.evidence_of(others, scale)};
 }
 
-double log10_false_alarms(const Problem& problem, const Result& result, double distinct_others) {
-  const auto n = static_cast<double>(problem.input().size());
-  const auto k = static_cast<double>(result.inliers.size());
-  const double distinct_share = n > k ? distinct_others / (n - k) : 1;
-  const noise::Chance chance = noise::measure_chance(problem.input(), {result.target_from_source});
-  return noise::log10_false_alarms(k * distinct_share, n * distinct_share,
-                                   problem.scale_is_known() ? 3 : 2, chance);
-}
+/// Odds of chance for sets of correspondences of one pose.
+class Odds {
+ public:
+  Odds(const Problem& problem, const Result& result, const Distinct& distinct)
+      : count_(static_cast<double>(problem.input().size())),
+        num_lengths_(problem.scale_is_known() ? 3 : 2),
+        chance_(noise::measure_chance(problem.input(), {result.target_from_source})) {
+    const double num_others = count_ - static_cast<double>(result.inliers.size());
+    if (num_others > 0) distinct_share_ = distinct.others / num_others;
+  }
 
-std::string odds(double log10) {
-  if (log10 >= 0) return "chance explains this";
+  double log10_false_alarms(Index num_inliers) const {
+    return noise::log10_false_alarms(static_cast<double>(num_inliers) * distinct_share_,
+                                     count_ * distinct_share_, num_lengths_, chance_);
+  }
+
+ private:
+  double count_ = 0, distinct_share_ = 1;
+  int num_lengths_ = 3;
+  noise::Chance chance_;
+};
+
+/// Of less than one false alarm.
+std::string in_words(double log10) {
   if (log10 > -3) {
     return "chance would give this once in " + std::to_string(std::lround(std::pow(10, -log10)));
   }
@@ -69,11 +81,26 @@ std::string with_one_digit(double value) {
                             : tenths.substr(0, tenths.size() - 1) + "." + tenths.back();
 }
 
+/// Median distance of an even selection of pairs, metres.
+double typical_distance(const PointsRef& points) {
+  constexpr Index kPairs = 1000;
+  const Index n = points.cols(), count = std::min(n, kPairs);
+  if (n < 2) return 0;
+  std::vector<double> distances;
+  for (Index k = 0; k < count; ++k) {
+    const Index i = k * n / count;
+    distances.push_back((points.col((i + n / 2) % n) - points.col(i)).norm());
+  }
+  const auto median = distances.begin() + count / 2;
+  std::nth_element(distances.begin(), median, distances.end());
+  return *median;
+}
+
 /// Names what may be wrong with the data, where the sizes of the clouds say so.
 std::string units_hint(const PointsRef& source, const PointsRef& target, const Options& options) {
   if (options.scale_mode != ScaleMode::Known) return {};
-  const double from = options.scale * noise::PairDistances(source).median();
-  const double to = noise::PairDistances(target).median();
+  const double from = options.scale * typical_distance(source);
+  const double to = typical_distance(target);
   const std::string units = from > 0 && to > 0 ? geometry::units_of_ratio(to / from) : "";
   return units.empty() ? "" : "; by their sizes " + units;
 }
@@ -83,28 +110,34 @@ std::string units_hint(const PointsRef& source, const PointsRef& target, const O
 void judge(Result& result, const Problem& problem, problem::Run& run) {
   const problem::StageTimer timer(run, "verdict");
   const Distinct distinct = distinct_evidence(problem, result);
-  result.log10_false_alarms = log10_false_alarms(problem, result, distinct.others);
+  const Odds odds(problem, result, distinct);
+  const auto num_inliers = static_cast<Index>(result.inliers.size());
+  result.log10_false_alarms = odds.log10_false_alarms(num_inliers);
   const Index reflected = reflected_inliers(problem.input(), {result.target_from_source},
                                             result.inliers, problem.scales());
-  const auto num_inliers = static_cast<double>(result.inliers.size());
+  const bool is_reflected =
+      static_cast<double>(reflected) > kReflected * static_cast<double>(num_inliers) &&
+      odds.log10_false_alarms(reflected) <= kTrustedLog10;
   result.verdict = Verdict::Untrusted;
-  if (static_cast<double>(reflected) > kReflected * num_inliers) {
+  if (is_reflected) {
     result.verdict_reason = "a reflection holds " + std::to_string(reflected) +
                             " matches: one of the clouds seems to be left-handed";
   } else if (result.status == Status::Degenerate) {
     result.verdict_reason = "the pose is one of many: " + result.status_reason;
   } else if (result.log10_false_alarms >= 0) {
-    result.verdict_reason = odds(result.log10_false_alarms);
+    result.verdict_reason = num_inliers <= problem::kMinInliers
+                                ? "three matches alone prove nothing"
+                                : "chance explains this: random matches would agree as well";
   } else if (result.log10_false_alarms > kTrustedLog10) {
     result.verdict = Verdict::Doubtful;
-    result.verdict_reason = odds(result.log10_false_alarms);
+    result.verdict_reason = in_words(result.log10_false_alarms);
   } else if (distinct.inliers < kTrustedEvidence) {
     result.verdict = Verdict::Doubtful;
-    result.verdict_reason = "the inliers are worth " + with_one_digit(distinct.inliers) +
-                            " distinct matches only: the others are copies of them";
+    result.verdict_reason = std::to_string(num_inliers) + " matches agree, worth " +
+                            with_one_digit(distinct.inliers) + " distinct ones: too few to be sure";
   } else {
     result.verdict = Verdict::Trusted;
-    result.verdict_reason = odds(result.log10_false_alarms);
+    result.verdict_reason = in_words(result.log10_false_alarms);
   }
   if (result.verdict != Verdict::Trusted) {
     result.verdict_reason +=

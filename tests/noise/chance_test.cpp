@@ -66,10 +66,26 @@ TEST(MeasureChance, OfFewOrEqualPointsIsNeitherZeroNorMoreThanOne) {
 }
 
 TEST(Log10FalseAlarms, FollowsTheFormula) {
-  const Chance chance{1e-3, 0.1};
-  // C(20, 5) = 15,504, C(5, 3) = 10
-  EXPECT_NEAR(log10_false_alarms(5, 20, 3, chance), std::log10(155040.0) - 3 - 6, 1e-9);
-  EXPECT_NEAR(log10_false_alarms(5, 20, 2, chance), std::log10(155040.0) - 2 - 6, 1e-9);
+  const double alpha = 0.05;
+  double tail = 0;  // of at least 6 of 17
+  for (int m = 6; m <= 17; ++m) {
+    tail += std::exp(std::lgamma(18) - std::lgamma(m + 1) - std::lgamma(18 - m)) *
+            std::pow(alpha, m) * std::pow(1 - alpha, 17 - m);
+  }
+  // C(20, 3) = 1140, C(9, 3) = 84
+  for (const int num_lengths : {2, 3}) {
+    EXPECT_NEAR(log10_false_alarms(9, 20, num_lengths, {alpha, 0.1}),
+                std::log10(1140.0 / 84 * tail) - num_lengths, 0.02);
+  }
+}
+
+TEST(Log10FalseAlarms, CountAsManyAsTheMeanAsChance) {
+  EXPECT_NEAR(log10_false_alarms(13, 103, 3, {0.1, 1}), std::log10(176851.0 / 286), 1e-9);
+}
+
+TEST(Log10FalseAlarms, OfAllAreFinite) {
+  EXPECT_NEAR(log10_false_alarms(20, 20, 3, {0.1, 1}), -17, 1e-9);
+  EXPECT_EQ(log10_false_alarms(20, 20, 3, {1, 1}), 0);
 }
 
 TEST(Log10FalseAlarms, OfAMinimalSampleProvesNothing) {
