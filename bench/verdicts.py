@@ -177,7 +177,7 @@ def main() -> None:
     parser.add_argument("--docs", type=Path, help="page whose block is replaced")
     parser.add_argument("--seeds", type=int, default=20, help="problems a size")
     given = parser.parse_args()
-    sizes = (10, 100, 1000)
+    sizes = (10, 100, 1000, 5000)
     text = (
         f"Up to N = {MOST_OF_UNKNOWN_SCALE:,} with unknown scale. "
         f"`bench/verdicts.py --seeds {given.seeds}`; N of {', '.join(map(str, sizes))}, a bound of "

@@ -9,10 +9,11 @@ namespace {
 
 constexpr std::size_t kFew = 10;  // values that tell a share
 
-// Pairs that are looked at: enough for a share of 1 in 100, and more where that costs little.
-constexpr Index kLeastSample = 1000;
+// Pairs that are looked at: enough for a share of 1 in 50, and more where that costs little.
+constexpr Index kLeastSample = 500;
 constexpr Index kMostSample = 20'000;
-constexpr Index kSampleShare = 8;  // of each correspondence
+constexpr Index kSampleShare = 2;  // of each correspondence
+constexpr std::size_t kPerLength = 4;
 
 /// Numbers that look random and are the same every time (splitmix64).
 class Shuffle {
@@ -85,7 +86,8 @@ Chance measure_chance(const problem::CallerCorrespondences& all, const problem::
   const Index count = std::clamp(kSampleShare * n, kLeastSample, kMostSample);
   const Similarity& transform = pose.similarity;
   const Eigen::Matrix3d linear = transform.scale * transform.rotation;
-  std::vector<double> distances(static_cast<std::size_t>(count)), lengths(distances.size());
+  std::vector<double> distances(static_cast<std::size_t>(count)), lengths;
+  lengths.reserve(distances.size() / kPerLength + 1);
   Shuffle shuffle;
   // The source of one and the target of another: a random correspondence.
   Index i = shuffle.next(n), j = (i + 1 + shuffle.next(n - 1)) % n;
@@ -95,9 +97,10 @@ Chance measure_chance(const problem::CallerCorrespondences& all, const problem::
     j = (i + 1 + shuffle.next(n - 1)) % n;
     const Eigen::Vector3d image = linear * all.source.col(i) + transform.translation;
     distances[k] = (all.target.col(j) - image).norm() / all.bounds[i];
+    if (k % kPerLength > 0) continue;
     const double from = transform.scale * (all.source.col(i) - all.source.col(last_i)).norm();
     const double to = (all.target.col(j) - all.target.col(last_j)).norm();
-    lengths[k] = std::abs(to - from) / (all.bounds[i] + all.bounds[last_i]);
+    lengths.push_back(std::abs(to - from) / (all.bounds[i] + all.bounds[last_i]));
   }
   return {share_within(distances, 1), share_within(lengths, 1)};
 }
