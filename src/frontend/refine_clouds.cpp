@@ -16,13 +16,12 @@ namespace {
 // The pose of the matches is off by up to their noise bound; that of the voxels by far less.
 constexpr double kApproachReach = 3;  // voxels
 constexpr Index kApproachSamples = 2500;
-constexpr double kCell = 0.5;       // voxels: cells of the finer clouds
-constexpr double kSettleReach = 2;  // cells
-constexpr Index kSettleSamples = 5000;
+constexpr double kCell = 0.5;         // voxels: cells of the finer clouds
+constexpr double kSettleReach = 1.5;  // cells
+constexpr Index kSettleSamples = 6000;
 
 /// The pose in place of that of the result, where the surfaces meet more closely there.
 CloudResult take(CloudResult result, const RefinedPose& refined, const Options& options) {
-  result.refinement.method = "icp";
   if (!refined.is_applied) return result;
   result.refinement.is_applied = true;
   result.refinement.noise = refined.noise;
@@ -64,6 +63,8 @@ CloudResult approach(CloudResult result, const Options& options,
 CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef& target,
                    const Similarity& matched, const Options& options,
                    const parallel::Deadline& deadline) {
+  result.refinement.method = "icp";
+  result.refinement.note = "no pose to refine";
   if (result.registration.status != Status::Ok) return result;
   StageClock clock(result.registration.diagnostics.stages);
   if (!deadline.expired()) {

@@ -26,7 +26,7 @@ struct AlignmentRound {
 
 /// The kernel is no wider than this share of the radius, and as wide as this many deviations of the
 /// noise between.
-inline constexpr double kKernelOfRadius = 0.35;
+inline constexpr double kKernelOfRadius = 0.5;
 inline constexpr double kKernelOfNoise = 3;
 
 /// Width of the kernel for these pairs, metres.

@@ -22,8 +22,9 @@ struct PlanePair {
   double squared_distance() const { return residual.dot(information * residual); }
 };
 
-/// Variance of a plane patch along its normal over that along the plane (Segal et al. 2009).
-inline constexpr double kFlatness = 1e-3;
+/// Variance of a plane patch along its normal over that along the plane (Segal et al. 2009, who
+/// take 1e-3; normals from few neighbours are not that sure).
+inline constexpr double kFlatness = 1e-2;
 
 /// What meets under a pose: pairs of the columns that are sought, in their order.
 struct PlanePairs {

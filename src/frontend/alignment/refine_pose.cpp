@@ -8,18 +8,19 @@
 namespace gmcr::frontend {
 namespace {
 
+constexpr double kNarrowRadius = 1.5;  // cells
 constexpr int kNarrowSteps = 12;
 constexpr double kLeastStep = 1e-3;    // cells
 constexpr double kLeastKernel = 0.02;  // cells
 
-/// Search radii in cells: each is tried once on the way to the narrowest, where it settles.
+/// One step at each radius on the way from the reach to the narrowest, where it settles.
 std::vector<AlignmentRound> rounds_of(const RefinementScale& scale) {
   std::vector<AlignmentRound> rounds;
-  for (const double share : {1.0, 0.7, 0.7, 0.5}) {
+  for (const double share : {1.0, 0.7, 0.7}) {
     const double radius = share * scale.reach;
-    if (radius > 1) rounds.push_back({radius, 1, 0, kLeastKernel});
+    if (radius > kNarrowRadius) rounds.push_back({radius, 1, 0, kLeastKernel});
   }
-  rounds.push_back({1, kNarrowSteps, kLeastStep, kLeastKernel});
+  rounds.push_back({kNarrowRadius, kNarrowSteps, kLeastStep, kLeastKernel});
   for (AlignmentRound& round : rounds) {
     round.radius *= scale.cell;
     round.least_step *= scale.cell;

@@ -9,8 +9,9 @@
 namespace gmcr::frontend {
 namespace {
 
-/// Nearest points that span the plane of a point, itself among them.
-constexpr std::size_t kPlanePoints = 20;
+/// Nearest points that span the plane of a point, itself among them: on voxels those within about
+/// two, so that edges stay sharp.
+constexpr std::size_t kPlanePoints = 10;
 /// Share of the spread along the longest axis below which the middle one counts as none.
 constexpr double kLineTolerance = 1e-6;
 
