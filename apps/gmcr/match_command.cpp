@@ -73,7 +73,8 @@ ExitCode run(const Arguments& arguments) {
 void add_match_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("match", "Putative matches between two clouds");
-  arguments->clouds.add_to(command, [](const std::string& name) { return name != "max_attempts"; });
+  arguments->clouds.add_to(
+      command, [](const std::string& name) { return name != "max_attempts" && name != "refine"; });
   command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
       ->required()
       ->type_name("MATCHES");

@@ -1,31 +1,16 @@
 #include <fmt/core.h>
 
 #include "arguments.hpp"
-#include "choice.hpp"
 #include "commands.hpp"
 #include "gmcr/io.hpp"
 #include "html_report.hpp"
 #include "json_text.hpp"
 #include "progress.hpp"
 #include "read_points.hpp"
-#include "refine.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
 
-namespace gmcr {
-namespace cli {
-
-enum class Refine { Icp, None };
-
-}  // namespace cli
-
-template <>
-struct options::Words<cli::Refine> {
-  static constexpr Word<cli::Refine> words[] = {{cli::Refine::Icp, "icp"},
-                                                {cli::Refine::None, "none"}};
-};
-
-namespace cli {
+namespace gmcr::cli {
 namespace {
 
 constexpr const char* kExamples =
@@ -53,7 +38,6 @@ Examples:
 struct Arguments {
   CloudArguments clouds;
   SolverArguments solver;
-  Refine refine = Refine::Icp;
   std::string transform;
   std::string aligned;
   std::string matches;
@@ -113,7 +97,6 @@ ExitCode run(const Arguments& arguments) {
     options.progress = progress.callback();
     const Stopwatch stopwatch;
     result = register_clouds(source, target, arguments.clouds.frontend, options);
-    if (arguments.refine == Refine::Icp) context.refinement = refine_with_icp(result, options);
     context.total_seconds = stopwatch.seconds();
   }
   const std::string json = to_json(result, context, kJsonIndent);
@@ -143,7 +126,6 @@ void add_register_command(CLI::App& app, Work& work) {
                                    FrontendOptions{}.noise_bound_voxels))
       ->default_str("0");
   arguments->solver.add_to(command);
-  add_choice(command, "--refine", arguments->refine, "Refinement of the pose")->group("Answers");
   add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   const auto add_path = [&](const char* name, std::string& path, const char* help,
@@ -161,5 +143,4 @@ void add_register_command(CLI::App& app, Work& work) {
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }
 
-}  // namespace cli
-}  // namespace gmcr
+}  // namespace gmcr::cli

@@ -19,6 +19,12 @@ enum class NormalOrientation {
   Outward,          ///< away from the centroid of the cloud: for models of whole objects
 };
 
+/// What makes the pose of two clouds finer than the matches do.
+enum class Refine {
+  Icp,   ///< the surfaces themselves: generalised ICP with a robust kernel, from coarse to fine
+  None,  ///< nothing: the pose is the likeliest one by the matches
+};
+
 /// How clouds become correspondences. None of the names is one of `Options` or `InstanceOptions`,
 /// so that a tool can take them all side by side. Lengths are in voxels, so that one set of
 /// defaults serves objects and cities.
@@ -49,6 +55,9 @@ struct FrontendOptions {
   /// feature radius and filters of the matches.
   int max_attempts = 8;
 
+  /// Refinement of the pose of every attempt, and more finely of the one that is returned.
+  Refine refine = Refine::Icp;
+
   /// @throws InvalidOption naming option and value.
   void validate() const;
 };
@@ -68,6 +77,16 @@ struct CloudMatches {
   /// agree proves little.
   bool filtered = true;
   std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
+};
+
+/// What the refinement did to the pose of two clouds.
+struct Refinement {
+  std::string method = "none";  ///< the word of `FrontendOptions::refine`
+  bool is_applied = false;      ///< whether the pose is the refined one
+  std::string note = "none";    ///< one sentence
+  /// Standard deviation of the distance of the surfaces that meet, along their normals, metres,
+  /// target frame; 0 where the pose was not refined.
+  double noise = 0;
 };
 
 struct CloudResult {
@@ -90,6 +109,7 @@ struct CloudResult {
   Verdict verdict = Verdict::Untrusted;
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried
+  Refinement refinement;
 };
 
 /// Correspondences between two clouds: voxel grid, normals, FPFH (Rusu et al. 2009), nearest
@@ -106,7 +126,8 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend = {}, const Options& options = {});
 
 /// Pose that aligns two clouds, from no initial guess: `match_clouds`, then
-/// `register_correspondences`, then a verdict from the inliers and from how the surfaces meet.
+/// `register_correspondences`, then the refinement of `frontend.refine`, then a verdict from the
+/// inliers and from how the surfaces meet.
 ///
 /// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
 /// `frontend.max_attempts`, and the best is kept.
@@ -117,6 +138,21 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// Cost and determinism: those of the two steps.
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend = {}, const Options& options = {});
+
+/// The result at the pose near its own at which the surfaces of the two clouds meet best, as
+/// `register_clouds` refines it; as it is where it has no pose or the surfaces meet best there.
+///
+/// Generalised ICP (Segal, Haehnel and Thrun, RSS 2009) with the kernel of Geman and McClure, whose
+/// width follows the noise found, first on the voxel clouds of `result.matches`, then on finer ones
+/// of the points, in frames at their centroids. The scale is refined where it is estimated; the
+/// priors are kept. A refined pose is accepted where the surfaces meet more closely, relative to
+/// the noise; the number of inliers has no say.
+/// @param source, target  the clouds that the result is of.
+/// @param options  that the result was computed with; `time_limit` ends the refinement.
+/// @throws std::invalid_argument as `register_clouds`.
+/// Cost O(N log N). Deterministic for any thread count, but for the time limit.
+CloudResult refine_clouds(CloudResult result, const PointsRef& source, const PointsRef& target,
+                          const Options& options = {});
 
 /// The result with another pose in place of its own, such as a refined one: inliers, evidence,
 /// covariance, consistent scales, fitness, overlap RMSE and verdict are those of the new pose; the

@@ -11,13 +11,6 @@
 
 namespace gmcr {
 
-/// What a refinement of the pose did to the result of two clouds.
-struct Refinement {
-  std::string method = "none";
-  bool is_applied = false;
-  std::string note = "none";  ///< for people
-};
-
 /// What is written beside what a result holds.
 struct ReportContext {
   /// Those that the result was computed with; null: not known, and nothing is said that they
@@ -25,7 +18,6 @@ struct ReportContext {
   const Options* options = nullptr;
   /// Wall time of the work without reading files, seconds; without it that of the diagnostics.
   std::optional<double> total_seconds;
-  Refinement refinement;  ///< of two clouds
 };
 
 /// A result as one JSON object: the schema of `gmcr solve --json`, docs/json.md.

@@ -7,13 +7,14 @@
 
 from ._arguments import PoseLike
 from ._cliques import max_clique, max_weight_clique
-from ._clouds import fpfh, match, register_clouds, voxel_grid, with_pose
+from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
 from ._enums import (
     Evidence,
     Method,
     NoiseMode,
     NoiseShape,
     NormalOrientation,
+    Refine,
     ScaleMode,
     Status,
     SyntheticKind,
@@ -36,6 +37,7 @@ from ._gmcr import (
     InstanceOptions,
     NoiseEstimate,
     Options,
+    Refinement,
     Result,
     Similarity,
     SyntheticOptions,
@@ -84,6 +86,8 @@ __all__ = [
     "Options",
     "PoseErrors",
     "PoseLike",
+    "Refine",
+    "Refinement",
     "Result",
     "ScaleMode",
     "Similarity",
@@ -108,6 +112,7 @@ __all__ = [
     "match",
     "max_clique",
     "max_weight_clique",
+    "refine_clouds",
     "register_clouds",
     "register_correspondences",
     "register_instances",

@@ -22,7 +22,7 @@ def register_clouds(
     """Pose that aligns two clouds, from no initial guess.
 
     Voxel grid, normals, FPFH, nearest neighbours in feature space, ``register_correspondences``,
-    and a verdict from the inliers and from how the surfaces meet. Where the verdict is not
+    the refinement of ``refine``, and a verdict from the inliers and from how the surfaces meet. Where the verdict is not
     ``'trusted'``, other settings of the front end are tried.
 
     Parameters
@@ -84,6 +84,45 @@ def match(
     matching, solver = split_options(FrontendOptions, frontend, options, keywords)
     return _gmcr.match_clouds(
         as_points(source, "source"), as_points(target, "target"), matching, solver
+    )
+
+
+def refine_clouds(
+    result: CloudResult,
+    source: npt.ArrayLike,
+    target: npt.ArrayLike,
+    options: Options | None = None,
+    **keywords: Any,
+) -> CloudResult:
+    """The result at the pose near its own at which the surfaces of the clouds meet best.
+
+    What ``register_clouds`` does with its pose unless ``refine='none'``: for a pose from elsewhere,
+    or for an alternative.
+
+    Parameters
+    ----------
+    result : CloudResult
+        Of ``register_clouds`` or ``with_pose``.
+    source, target : array_like, shape (N, 3) and (M, 3)
+        The clouds that it is of, metres, finite.
+    options, **keywords
+        Those that the result was computed with; ``time_limit`` ends the refinement.
+
+    Returns
+    -------
+    CloudResult
+        As it was where it has no pose, or the surfaces meet best there.
+
+    Raises
+    ------
+    ValueError
+        on a wrong shape, a value that is not finite, or an option out of range.
+    """
+    return _gmcr.refine_clouds(
+        result,
+        as_points(source, "source"),
+        as_points(target, "target"),
+        as_options(Options, options, keywords),
     )
 
 

@@ -58,6 +58,13 @@ class NormalOrientation(_Word):
     OUTWARD = "outward"
 
 
+class Refine(_Word):
+    """What makes the pose of two clouds finer than the matches do."""
+
+    ICP = "icp"
+    NONE = "none"
+
+
 class Verdict(_Word):
     """How far the pose of two clouds can be relied on."""
 

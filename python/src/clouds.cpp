@@ -35,6 +35,17 @@ void bind_matches(nb::module_& module) {
       .read_only();
 }
 
+void bind_refinement(nb::module_& module) {
+  Record<Refinement>(module, "Refinement", "What the refinement did to the pose of two clouds.")
+      .field("method", &Refinement::method, "'icp' or 'none'.")
+      .field("is_applied", &Refinement::is_applied, "Whether the pose is the refined one.")
+      .field("note", &Refinement::note, "One sentence.")
+      .field("noise", &Refinement::noise,
+             "Standard deviation of the distance of the surfaces that meet, metres; 0 where the "
+             "pose was not refined.")
+      .read_only();
+}
+
 void bind_cloud_result(nb::module_& module) {
   auto result =
       Record<CloudResult>(module, "CloudResult", "Pose of two clouds, and how far to rely on it.")
@@ -54,6 +65,7 @@ void bind_cloud_result(nb::module_& module) {
           .field("verdict", &CloudResult::verdict, "'trusted', 'doubtful' or 'untrusted'.")
           .field("verdict_reason", &CloudResult::verdict_reason, "One sentence.")
           .field("num_attempts", &CloudResult::num_attempts, "Settings that were tried.")
+          .field("refinement", &CloudResult::refinement, "What the refinement did to the pose.")
           .read_only(&describe);
   result.def_prop_ro(
       "target_from_source",
@@ -74,6 +86,7 @@ void bind_cloud_result(nb::module_& module) {
 
 void bind_clouds(nb::module_& module) {
   bind_matches(module);
+  bind_refinement(module);
   bind_cloud_result(module);
   module.def("match_clouds", [](const PointsArray& source, const PointsArray& target,
                                 const FrontendOptions& frontend, const Options& options) {
@@ -85,6 +98,12 @@ void bind_clouds(nb::module_& module) {
                                    const FrontendOptions& frontend, const Options& options) {
     return interruptible(options, [&](const Options& watched) {
       return register_clouds(points_of(source), points_of(target), frontend, watched);
+    });
+  });
+  module.def("refine_clouds", [](const CloudResult& result, const PointsArray& source,
+                                 const PointsArray& target, const Options& options) {
+    return interruptible(options, [&](const Options& watched) {
+      return refine_clouds(result, points_of(source), points_of(target), watched);
     });
   });
   module.def("with_pose", [](const CloudResult& result, const Similarity& target_from_source,

@@ -7,6 +7,7 @@
 
 #include "frontend/cloud_pair.hpp"
 #include "frontend/overlap.hpp"
+#include "frontend/refine_clouds.hpp"
 #include "frontend/stage_clock.hpp"
 #include "frontend/verdict.hpp"
 #include "gmcr/registration.hpp"
@@ -58,12 +59,19 @@ void measure_fit(CloudResult& result, const Options& options) {
       evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
 }
 
-/// One attempt from raw clouds to a judged pose.
+/// A judged pose, and the one that the matches gave.
+struct Attempt {
+  CloudResult result;
+  Similarity matched;
+};
+
+/// One attempt from raw clouds to a judged pose, refined on its voxels where that is asked for.
 /// @return nullopt where the graph of the matches exceeds the memory budget and this is not the
 ///   `first` attempt, which would throw.
-std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
-                                   const FrontendOptions& frontend, const Options& options,
-                                   const frontend::FrontendSetting& setting, bool first) {
+std::optional<Attempt> attempt(const PointsRef& source, const PointsRef& target,
+                               const FrontendOptions& frontend, const Options& options,
+                               const frontend::FrontendSetting& setting, bool first) {
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
@@ -76,7 +84,11 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
   const Status status = result.registration.status;
   if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
   frontend::judge(result);
-  return result;
+  const Similarity matched = result.registration.target_from_source;
+  if (frontend.refine == Refine::Icp) {
+    result = frontend::approach(std::move(result), options, deadline);
+  }
+  return Attempt{std::move(result), matched};
 }
 
 /// Below trust, how the surfaces meet tells more than the numbers of matches of unlike attempts.
@@ -103,6 +115,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   const parallel::Stopwatch stopwatch;
   const parallel::Deadline deadline(options.time_limit, options.stop);
   CloudResult best;
+  Similarity matched;
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
@@ -115,21 +128,27 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
     }
     Options remaining = options;
     remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
-    auto result = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
-    if (!result) {
+    auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
+    if (!tried) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
       continue;
     }
-    add_stages(stages, result->matches.stages);
-    add_stages(stages, result->registration.diagnostics.stages);
+    add_stages(stages, tried->result.matches.stages);
+    add_stages(stages, tried->result.registration.diagnostics.stages);
     ++num_attempts;
-    if (num_attempts == 1 || better(*result, best)) best = std::move(*result);
+    if (num_attempts == 1 || better(tried->result, best)) {
+      best = std::move(tried->result);
+      matched = tried->matched;
+    }
     if (best.verdict == Verdict::Trusted) break;
   }
   best.num_attempts = num_attempts;
+  best.registration.diagnostics.stages = std::move(stages);
+  if (frontend.refine == Refine::Icp) {
+    best = frontend::settle(std::move(best), source, target, matched, options, deadline);
+  }
   auto& limits_hit = best.registration.diagnostics.limits_hit;
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
-  best.registration.diagnostics.stages = std::move(stages);
   best.registration.diagnostics.total_seconds = stopwatch.elapsed();
   return best;
 }

@@ -245,7 +245,11 @@ struct Table<FrontendOptions> : TableDefaults {
               .help = "Settings to try before settling for a doubtful result",
               .group = "Matching",
               .range = kOneOrMore,
-              .alias = "attempts"}}};
+              .alias = "attempts"}},
+      Option{&FrontendOptions::refine,
+             {.name = "refine",
+              .help = "Refinement of the pose: 'icp', by the surfaces of the clouds, or 'none'",
+              .group = "Answers"}}};
 
   static constexpr Gone gone[] = {{"one_to_one", "it is one of Options"}};
 };

@@ -80,6 +80,12 @@ struct Words<NormalOrientation> {
 };
 
 template <>
+struct Words<Refine> {
+  static constexpr const char* name = "Refine";
+  static constexpr Word<Refine> words[] = {{Refine::Icp, "icp"}, {Refine::None, "none"}};
+};
+
+template <>
 struct Words<SyntheticKind> {
   static constexpr const char* name = "SyntheticKind";
   static constexpr Word<SyntheticKind> words[] = {{SyntheticKind::Ball, "ball"},

@@ -33,7 +33,7 @@ std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
   report::Lines lines;
   report::add_clouds(lines, result, detail, context.options);
   report::add_result(lines, result.registration, detail, context);
-  if (detail == Detail::Full) lines.add("refinement", context.refinement.note);
+  if (detail == Detail::Full) lines.add("refinement", result.refinement.note);
   lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
                                    100 * result.fitness));
   if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));

@@ -211,9 +211,10 @@ std::string to_json(const CloudResult& result, const ReportContext& context, int
   json["voxel_size"] = matches.target_voxel_size;
   json["source_voxel_size"] = matches.source_voxel_size;
   json["num_attempts"] = result.num_attempts;
-  json["refinement"] = {{"method", context.refinement.method},
-                        {"applied", context.refinement.is_applied},
-                        {"note", context.refinement.note}};
+  json["refinement"] = {{"method", result.refinement.method},
+                        {"applied", result.refinement.is_applied},
+                        {"note", result.refinement.note},
+                        {"noise", result.refinement.noise}};
   return report::finish(std::move(json), report_lines(result, Detail::Full, context), context,
                         indent);
 }

@@ -119,6 +119,7 @@ TEST(Words, ArePairedWithTheirValues) {
   expect_words_and_back<ScaleMode>();
   expect_words_and_back<NoiseMode>();
   expect_words_and_back<NormalOrientation>();
+  expect_words_and_back<Refine>();
   expect_words_and_back<SyntheticKind>();
   expect_words_and_back<NoiseShape>();
   EXPECT_EQ(list_words<Method>(), "gmcr|paper");

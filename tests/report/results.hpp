@@ -60,6 +60,7 @@ inline CloudResult make_cloud_result() {
   result.verdict = Verdict::Doubtful;
   result.verdict_reason = "few matches agree";
   result.num_attempts = 3;
+  result.refinement = {"icp", true, "ICP turned the pose", 0.02};
   return result;
 }
 

@@ -9,12 +9,12 @@ from typing import Any
 import numpy.typing as npt
 
 from .._arguments import as_options
-from .._clouds import register_clouds, with_pose
-from .._enums import ScaleMode, Verdict
+from .._clouds import refine_clouds, register_clouds, with_pose
+from .._enums import Refine, ScaleMode, Verdict
 from .._gmcr import CloudResult, FrontendOptions, Options
 from ._edge import Edge, point_information
 from ._motion import Matrix
-from ._refine import overlap_of, refine_by_icp, require_open3d
+from ._overlap import overlap_of, require_open3d
 from ._scans import as_scans
 
 _LEAST_SIGMA = 1e-3  # voxels: copies of a scan meet exactly
@@ -26,7 +26,6 @@ def register_pairs(
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
     *,
-    refine: bool = True,
     tolerance: float | None = None,
     **keywords: Any,
 ) -> list[Edge]:
@@ -39,11 +38,9 @@ def register_pairs(
     pairs : iterable of (int, int), optional
         (source, target) indices; every pair by default, the later scan onto the earlier.
     frontend : FrontendOptions, optional
-        How clouds become correspondences.
+        How clouds become correspondences, and whether their poses are refined.
     options : Options, optional
         For the solver. With ``num_hypotheses`` > 1, the alternatives of a pair are edges too.
-    refine : bool
-        Whether ICP refines each pose, where it keeps overlap and inliers.
     tolerance : float, optional
         Metres, > 0, see ``Edge.tolerance``; the noise bound of the pair by default.
     **keywords
@@ -73,13 +70,12 @@ def register_pairs(
         raise ValueError("options: scans of one scene have scale 1, known")
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: {tolerance} is not positive")
+    matching = as_options(FrontendOptions, frontend, {})
     require_open3d()  # before the long work
     edges = []
     for source, target in chosen:
-        best = register_clouds(points[source], points[target], frontend, solver)
-        for result in _hypotheses(best, solver):
-            if refine and result.verdict != Verdict.UNTRUSTED:
-                result = refine_by_icp(result, points[source], points[target], solver)
+        best = register_clouds(points[source], points[target], matching, solver)
+        for result in _hypotheses(best, points[source], points[target], matching, solver):
             edges.append(_edge_of(source, target, result, points[source].mean(axis=0), tolerance))
     return edges
 
@@ -100,11 +96,15 @@ def _check_pairs(pairs: Iterable[tuple[int, int]], num_scans: int) -> list[tuple
     return chosen
 
 
-def _hypotheses(best: CloudResult, options: Options) -> list[CloudResult]:
+def _hypotheses(
+    best: CloudResult, source: Matrix, target: Matrix, frontend: FrontendOptions, options: Options
+) -> list[CloudResult]:
     others = [
         with_pose(best, alternative.target_from_source, options)
         for alternative in best.registration.alternatives
     ]
+    if frontend.refine == Refine.ICP:
+        others = [refine_clouds(other, source, target, options) for other in others]
     return [best, *others]
 
 

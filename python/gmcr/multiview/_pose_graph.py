@@ -8,7 +8,7 @@ import numpy as np
 
 from ._edge import Edge
 from ._motion import Matrix
-from ._refine import require_open3d
+from ._overlap import require_open3d
 
 # Relative, and absolute where residuals are in standard deviations; Open3D's 1e-6 stops early.
 _PRECISION = 1e-9

@@ -19,7 +19,6 @@ def register_scans(
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
     *,
-    refine: bool = True,
     tolerance: float | None = None,
     **keywords: Any,
 ) -> MultiviewResult:
@@ -32,7 +31,7 @@ def register_scans(
     ----------
     scans : sequence of array_like, shape (N_i, 3)
         Points, metres, finite.
-    pairs, frontend, options, refine, tolerance, **keywords
+    pairs, frontend, options, tolerance, **keywords
         As for ``register_pairs``.
 
     Returns
@@ -50,7 +49,5 @@ def register_scans(
     >>> result = register_scans([front, left, back, right])
     >>> result.poses[2]  # frame of the first scan from that of the third
     """
-    edges = register_pairs(
-        scans, pairs, frontend, options, refine=refine, tolerance=tolerance, **keywords
-    )
+    edges = register_pairs(scans, pairs, frontend, options, tolerance=tolerance, **keywords)
     return place_scans(scans, edges)

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "frontend/alignment/surface_cloud.hpp"
+#include "gmcr/similarity.hpp"
+
+namespace gmcr::frontend {
+
+/// Two clouds, each in a frame at its centroid, so that a pose of them is the same, digit by digit,
+/// wherever on Earth they lie.
+class CentredPair {
+ public:
+  /// @param source, target  3 x N and 3 x M, metres, finite, N and M >= 1.
+  CentredPair(const PointsRef& source, const PointsRef& target);
+
+  /// A pose of the caller's frames between the centred ones, and back.
+  Similarity centred(const Similarity& target_from_source) const;
+  Similarity of_caller(const Similarity& centred) const;
+
+ private:
+  Eigen::Vector3d source_centre_;  ///< metres, the caller's frame
+  Eigen::Vector3d target_centre_;
+
+ public:
+  SurfaceCloud source;
+  SurfaceCloud target;
+};
+
+}  // namespace gmcr::frontend

@@ -1,0 +1,75 @@
+#include "frontend/alignment/refine_pose.hpp"
+
+#include <vector>
+
+#include "frontend/alignment/align.hpp"
+#include "frontend/alignment/centred_pair.hpp"
+
+namespace gmcr::frontend {
+namespace {
+
+constexpr double kNarrowRadius = 1.5;  // cells
+constexpr int kNarrowSteps = 12;
+constexpr double kLeastStep = 1e-3;    // cells
+constexpr double kLeastKernel = 0.02;  // cells
+
+/// One step at each radius on the way from the reach to the narrowest, where it settles.
+std::vector<AlignmentRound> rounds_of(const RefinementScale& scale) {
+  std::vector<AlignmentRound> rounds;
+  for (const double share : {1.0, 0.7, 0.7}) {
+    const double radius = share * scale.reach;
+    if (radius > kNarrowRadius) rounds.push_back({radius, 1, 0, kLeastKernel});
+  }
+  rounds.push_back({kNarrowRadius, kNarrowSteps, kLeastStep, kLeastKernel});
+  for (AlignmentRound& round : rounds) {
+    round.radius *= scale.cell;
+    round.least_step *= scale.cell;
+    round.least_kernel *= scale.cell;
+  }
+  return rounds;
+}
+
+AlignmentRules rules_of(const CentredPair& pair, const Options& options,
+                        const parallel::Deadline& deadline) {
+  AlignmentRules rules;
+  rules.estimates_scale = options.scale_mode == ScaleMode::Estimated;
+  rules.admits = [&](const Similarity& centred) {
+    const auto& range = options.scale_range;
+    if (range && (centred.scale < range->min || centred.scale > range->max)) return false;
+    return options.admit(pair.of_caller(centred));
+  };
+  rules.deadline = &deadline;
+  rules.num_threads = options.num_threads;
+  return rules;
+}
+
+}  // namespace
+
+RefinedPose refine_pose(const PointsRef& source, const PointsRef& target, const Similarity& start,
+                        const RefinementScale& scale, const Options& options,
+                        const parallel::Deadline& deadline) {
+  RefinedPose refined{start, false, 0};
+  if (source.cols() == 0 || target.cols() == 0) return refined;
+  CentredPair pair(source, target);
+  const Samples samples = choose_samples(pair.source, pair.target, scale.max_samples);
+  const AlignmentRules rules = rules_of(pair, options, deadline);
+  const std::vector<AlignmentRound> rounds = rounds_of(scale);
+  const Similarity before = pair.centred(start);
+  Similarity after = before;
+  for (const AlignmentRound& round : rounds) {
+    after = align(pair.source, pair.target, samples, round, rules, after);
+  }
+  const AlignmentRound& last = rounds.back();
+  const auto pairs_at = [&](const Similarity& pose) {
+    return find_pairs(pair.source, pair.target, samples, pose, last.radius, options.num_threads);
+  };
+  const PlanePairs pairs = pairs_at(after);
+  const double kernel = kernel_of(pairs, last);
+  refined.is_applied = mean_cost(pairs, kernel) < mean_cost(pairs_at(before), kernel);
+  if (!refined.is_applied) return refined;
+  refined.noise = estimate_noise(pairs);
+  refined.target_from_source = pair.of_caller(after);
+  return refined;
+}
+
+}  // namespace gmcr::frontend

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frontend/kd_tree.hpp"
+#include "gmcr/types.hpp"
+
+namespace gmcr::frontend {
+
+/// Points of a surface, about their centroid, with what an alignment asks of them again and again:
+/// the nearest point, and the normals of the points that take part.
+class SurfaceCloud {
+ public:
+  /// @param points  3 x N, metres, finite, N >= 1, N < 2^31.
+  /// @param centre  metres: what is subtracted from them, so that no digit is lost far from 0.
+  /// Cost O(N log N).
+  SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre);
+
+  Index size() const { return points_->cols(); }
+  Eigen::Vector3d point(Index i) const { return points_->col(i); }
+
+  /// Column of the point nearest to each query that has one within `radius` metres, else -1.
+  /// @param queries  3 x M, metres, about the centre.
+  /// Cost O(M log N). Deterministic for any thread count.
+  std::vector<Index> nearest(const PointsRef& queries, double radius, int num_threads) const;
+
+  /// Makes the normals of these points known: unit, of arbitrary sign; 0 where the nearest points
+  /// span no surface.
+  /// @param columns  any order; -1 is skipped.
+  /// Cost O(K log N) for the K that are not known yet. Deterministic for any thread count.
+  void require_normals(const std::vector<Index>& columns, int num_threads);
+
+  /// That of a point that was required.
+  Eigen::Vector3d normal(Index i) const { return normals_.col(i); }
+
+ private:
+  Eigen::Vector3d estimate_normal(Index i) const;
+
+  std::unique_ptr<const Points> points_;  // at an address that the tree may keep
+  std::unique_ptr<const PointsRef> view_;
+  KdTreePoints adaptor_;
+  std::unique_ptr<const KdTree> tree_;
+  Points normals_;
+  std::vector<char> is_known_;
+};
+
+}  // namespace gmcr::frontend
