@@ -15,6 +15,10 @@
 
 namespace gmcr {
 
+/// Magnitudes that coordinates, noise bounds and scales may have: powers of them that a solve takes
+/// neither overflow nor vanish. A coordinate may be 0 as well. docs/reliability.md says more.
+inline constexpr double kLeastMagnitude = 1e-50, kLargestMagnitude = 1e50;
+
 enum class Method {
   Gmcr,   ///< many candidates judged by the objective on all correspondences, with a certificate
   Paper,  ///< the stages of the paper: scale, rotation and translation, one maximum clique each
@@ -58,14 +62,15 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 /// them from `src/options/table.hpp`; what each means, and what it may be, stands there in words.
 struct Options : Priors {
   NoiseMode noise_mode = NoiseMode::Given;
-  /// Bound on the noise of a target point, metres, > 0. Required where the noise is given, unless
-  /// `noise_bounds` is.
+  /// Bound on the noise of a target point, metres, in the range above. Required where the noise is
+  /// given, unless `noise_bounds` is.
   double noise_bound = 0;
-  /// One bound per correspondence, metres, each > 0, instead of `noise_bound`. Empty: not used.
+  /// One bound per correspondence, metres, each in the range above, instead of `noise_bound`.
+  /// Empty: not used.
   std::vector<double> noise_bounds;
 
   ScaleMode scale_mode = ScaleMode::Known;
-  double scale = 1;  ///< the scale when known, > 0
+  double scale = 1;  ///< the scale when known, in the range above
   /// Where to search when the scale is estimated; from the data when not given.
   std::optional<ScaleRange> scale_range;
 

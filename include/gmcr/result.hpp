@@ -14,10 +14,12 @@
 namespace gmcr {
 
 enum class Status {
-  Ok,                     ///< `target_from_source` and `inliers` are the answer
-  TooFewCorrespondences,  ///< fewer than 3; nothing was estimated, the transform is the identity
-  /// No pose has 3 inliers, or the noise was to be estimated and chance explains all that have; the
-  /// transform is the identity.
+  Ok,  ///< `target_from_source` and `inliers` are the answer
+  /// Fewer than 3, or than the priors leave to be determined: 2 where gravity or the rotation is
+  /// known, 1 where rotation and scale are. Nothing was estimated, the transform is the identity.
+  TooFewCorrespondences,
+  /// No pose has as many inliers, or the noise was to be estimated and chance explains all that
+  /// have; the transform is the identity.
   NoConsensus,
   Degenerate,  ///< the inliers do not determine the transform; it is one of many that fit
 };
@@ -46,8 +48,10 @@ struct EvidenceCertificate {
 /// its consensus set: it lies near the returned one, which is the likeliest there and may hold
 /// fewer.
 struct Certificate {
-  Index lower = 0;         ///< size of `inliers`
-  Index upper = 0;         ///< proven: no transform has more inliers
+  Index lower = 0;  ///< size of `inliers`
+  /// Proven: no transform has more inliers. The number of all that the priors admit where memory or
+  /// time let only a sample of them be searched, as `Diagnostics::limits_hit` says.
+  Index upper = 0;
   bool certified = false;  ///< lower == upper: the consensus is a maximum one
   /// The same for what was maximised; with `Evidence::Count` the same numbers.
   EvidenceCertificate evidence;
@@ -115,9 +119,11 @@ struct StageTime {
 
 /// What ended a part of the work before it was complete.
 enum class Limit {
-  Time,             ///< `Options::time_limit`
-  Stopped,          ///< the caller, through `Options::stop` or `Options::progress`
-  Memory,           ///< `Options::memory_limit`
+  Time,     ///< `Options::time_limit`
+  Stopped,  ///< the caller, through `Options::stop` or `Options::progress`
+  /// `Options::memory_limit`: also where the graph of all correspondences exceeds it, so that a
+  /// sample was searched, and only the poses were judged on all.
+  Memory,
   CliqueSearch,     ///< a search for a maximum clique ended before its proof
   EvidenceSearch,   ///< a search for the clique of most evidence ended before its proof
   ScaleSearch,      ///< the branch and bound over the scale ended before its proof
@@ -175,7 +181,7 @@ struct Result {
   /// where the scale is known; 0 to infinity where all inliers coincide in the source. Wider than
   /// said where the time budget ended the work.
   ScaleRange consistent_scales{1, 1};
-  std::optional<Covariance> covariance;  ///< where the status is Ok
+  std::optional<Covariance> covariance;  ///< where the status is Ok; needs 3 matches near, and time
   /// Where several hypotheses were asked for: the next best poses, by descending evidence. Each
   /// shares at most half of its inliers with any better one.
   std::vector<Alternative> alternatives;

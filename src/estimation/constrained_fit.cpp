@@ -76,7 +76,7 @@ std::optional<Similarity> clamp_translation(const Similarity& centred,
 std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
                                    const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
                                    const PoseConstraints& constraints) {
-  if (indices.size() < 3) return std::nullopt;
+  if (static_cast<Index>(indices.size()) < min_correspondences(constraints)) return std::nullopt;
   return fit_pose(measure_moments(source, target, bounds, indices), constraints);
 }
 

@@ -13,7 +13,8 @@ namespace gmcr::estimation {
 
 /// The fit of `fit_similarity` among the poses that the constraints admit.
 /// @param source, target, bounds, indices  as for `fit_similarity`, in the centred frames.
-/// @return nullopt where fewer than 3 columns are given, and where no admitted pose is found.
+/// @return nullopt where fewer columns than `min_correspondences` are given, and where no admitted
+/// pose is found.
 std::optional<Similarity> fit_pose(const PointsRef& source, const PointsRef& target,
                                    const Eigen::ArrayXd& bounds, const std::vector<Index>& indices,
                                    const PoseConstraints& constraints);

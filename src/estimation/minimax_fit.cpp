@@ -18,7 +18,7 @@ MinimaxFit::MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::
       weights_(Eigen::ArrayXd::Ones(source_.rows())) {}
 
 bool MinimaxFit::step() {
-  if (source_.rows() < 3) return false;
+  if (source_.rows() < min_correspondences(constraints_)) return false;
   moments_ = measure_moments(source_, target_, weights_ / bounds_.square());
   const auto fit = fit_pose(moments_, constraints_);
   if (!fit) return false;

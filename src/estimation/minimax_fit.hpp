@@ -22,7 +22,7 @@ class MinimaxFit {
   MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
              PoseConstraints constraints);
 
-  /// One more fit. @return false where there is none: of fewer than 3 points. Cost O(M).
+  /// One more fit. @return false where there is none: of too few points. Cost O(M).
   bool step();
 
   /// Leaves point k out of the fits to come; those behind it move up by one. The bound goes on from

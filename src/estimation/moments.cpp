@@ -11,7 +11,13 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Upper bound on max_R tr(R^T H) over SO(3), tight to rounding.
-double largest_alignment(const Eigen::Matrix3d& h) {
+double largest_alignment(const Eigen::Matrix3d& given) {
+  // fourth powers of what weights make of long vectors overflow: a power of two loses no digits
+  const double magnitude_of_all = given.cwiseAbs().maxCoeff();
+  if (!(magnitude_of_all > 0)) return 0;
+  const int exponent = std::ilogb(magnitude_of_all);
+  const Eigen::Matrix3d h =
+      given.unaryExpr([&](double value) { return std::ldexp(value, -exponent); });
   const Eigen::Vector3d x = h.row(0), y = h.row(1), z = h.row(2);
   const Eigen::Vector3d yz = y.cross(z), zx = z.cross(x), xy = x.cross(y);
   const double p = h.squaredNorm(), determinant = x.dot(yz);
@@ -36,7 +42,7 @@ double largest_alignment(const Eigen::Matrix3d& h) {
     if (!(next < root) || !(slope > 0)) break;
     root = next;
   }
-  return root;
+  return std::ldexp(root, exponent);
 }
 
 /// Sums of products about the means, of every kLanes-th row each.

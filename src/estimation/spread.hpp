@@ -1,23 +1,27 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "gmcr/types.hpp"
 
 namespace gmcr::estimation {
 
-/// How far chosen points are from their centroid and from the line through it that fits them
-/// best.
+/// How far chosen points are from their centroid and from the line through it that fits them best,
+/// each weighing 1 over its squared bound: a loose point moves neither away from tight ones.
 struct Spread {
-  double from_centroid = 0;  ///< metres; 0: all points coincide
-  double from_line = 0;      ///< metres; 0: all points are on one line
+  Eigen::ArrayXd from_centroid;  ///< of each, metres; all 0: the points coincide
+  Eigen::ArrayXd from_line;      ///< of each, metres; all 0: they are on one line
+  double radius = 0;             ///< weighted RMS of `from_centroid`
 };
 
-/// Cost O(number of indices). An empty set has no spread.
-Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices);
+/// @param bounds  of the chosen points, metres, > 0.
+/// Cost O(number of indices). An empty set has an empty spread.
+Spread measure_spread(const PointsRef& points, const std::vector<Index>& indices,
+                      const Eigen::ArrayXd& bounds);
 
-/// Longest distance of the points from the line along `direction` through their centroid, metres.
-double distance_from_line(const PointsRef& points, const std::vector<Index>& indices,
-                          const Eigen::Vector3d& direction);
+/// Distance of each of the points from the line along `direction` through their centroid, metres.
+Eigen::ArrayXd distances_from_line(const PointsRef& points, const std::vector<Index>& indices,
+                                   const Eigen::ArrayXd& bounds, const Eigen::Vector3d& direction);
 
 }  // namespace gmcr::estimation

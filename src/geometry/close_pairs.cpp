@@ -38,8 +38,9 @@ class Grid {
   /// @param width  of the cells, at least.
   Grid(const PointsRef& points, const Eigen::ArrayXd& radii, double width)
       : points_(points), radii_(radii), origin_(points.rowwise().minCoeff()) {
-    const double extent = (points.rowwise().maxCoeff() - origin_).maxCoeff();
-    constexpr double kMaxCells = 1 << (kBitsPerAxis - 1), kRounding = 1e-9;
+    constexpr double kRounding = 1e-9;
+    double extent = (points.rowwise().maxCoeff() - origin_).maxCoeff();
+    if (extent > width * kMaxCells) extent = leave_out_far_points();
     per_width_ = 1 / (std::max(width, extent / kMaxCells) * (1 + kRounding));
   }
 
@@ -49,7 +50,10 @@ class Grid {
     sorted.reserve(indices.size());
     for (const Index i : indices) {
       const Eigen::Vector3d place = (points_.col(i) - origin_) * per_width_;
-      const auto along = [&](Index axis) { return static_cast<std::int64_t>(place[axis]) + 1; };
+      // those outside join the outermost cells, in which neighbours stay neighbours
+      const auto along = [&](Index axis) {
+        return static_cast<std::int64_t>(std::clamp(place[axis], 0.0, kMaxCells)) + 1;
+      };
       sorted.push_back(
           {along(0) * kNextX + along(1) * kNextY + along(2), i, points_.col(i), radii_[i]});
     }
@@ -60,6 +64,27 @@ class Grid {
   }
 
  private:
+  static constexpr double kMaxCells = 1 << (kBitsPerAxis - 1);
+
+  /// Moves the origin so that the grid covers all but few of the points, which alone would make its
+  /// cells so large that they hold all the others. @return its extent.
+  double leave_out_far_points() {
+    const Index n = points_.cols();
+    const auto few = static_cast<Index>(std::sqrt(static_cast<double>(n)));
+    double extent = 0;
+    for (Index axis = 0; axis < 3; ++axis) {
+      const Eigen::VectorXd row = points_.row(axis);
+      std::vector<double> sorted(row.begin(), row.end());
+      const auto low = sorted.begin() + std::min(few, (n - 1) / 2);
+      const auto high = sorted.begin() + std::max(n - 1 - few, n / 2);
+      std::nth_element(sorted.begin(), low, sorted.end());
+      std::nth_element(low, high, sorted.end());
+      origin_[axis] = *low;
+      extent = std::max(extent, *high - *low);
+    }
+    return extent;
+  }
+
   const PointsRef& points_;
   const Eigen::ArrayXd& radii_;
   Eigen::Vector3d origin_;

@@ -31,8 +31,6 @@ class Shuffle {
   std::uint64_t state_ = 0;
 };
 
-constexpr double kTriple = 3;
-
 double log10_choose(double n, double k) {
   return (std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1)) / std::log(10.0);
 }
@@ -105,11 +103,12 @@ Chance measure_chance(const problem::CallerCorrespondences& all, const problem::
   return {share_within(distances, 1), share_within(lengths, 1)};
 }
 
-double log10_false_alarms(double k, double n, int num_lengths, const Chance& chance) {
-  if (k <= kTriple) return n > kTriple ? std::max(0.0, log10_choose(n, kTriple)) : 0;
-  return log10_choose(n, kTriple) - log10_choose(k, kTriple) +
-         num_lengths * std::log10(chance.length) +
-         log10_tail(k - kTriple, n - kTriple, chance.inlier);
+double log10_false_alarms(double k, double n, int sample_size, int num_lengths,
+                          const Chance& chance) {
+  const double m = sample_size;
+  if (k <= m) return n > m ? std::max(0.0, log10_choose(n, m)) : 0;
+  return log10_choose(n, m) - log10_choose(k, m) + num_lengths * std::log10(chance.length) +
+         log10_tail(k - m, n - m, chance.inlier);
 }
 
 }  // namespace gmcr::noise

@@ -37,14 +37,17 @@ struct Chance {
 Chance measure_chance(const problem::CallerCorrespondences& all, const problem::CallerPose& pose);
 
 /// log10 of the expected number of consensus sets of at least k among n random correspondences:
-///   NFA(k) = C(n, 3) delta^c / C(k, 3) P(X >= k - 3),  X ~ Binomial(n - 3, alpha),
-/// the triples that tell a pose, of which each set has C(k, 3), times the chance that their pose
-/// holds as many of the others (a contrario: Moisan and Stival 2004).
+///   NFA(k) = C(n, m) delta^c / C(k, m) P(X >= k - m),  X ~ Binomial(n - m, alpha),
+/// the minimal samples that tell a pose, of which each set has C(k, m), times the chance that their
+/// pose holds as many of the others (a contrario: Moisan and Stival 2004).
 /// Deviation: alpha and delta are measured on the points, not on a box around them; delta says that
 /// not any three correspondences have a pose.
-/// @param k, n         3 <= k <= n for a number below 0; no whole numbers where copies count once.
-/// @param num_lengths  c: 3, or 2 where the scale is free.
-/// @return 0 or more where k <= 3.
-double log10_false_alarms(double k, double n, int num_lengths, const Chance& chance);
+/// @param k, n         m < k <= n for a number below 0; no whole numbers where copies count once.
+/// @param sample_size  m: 3, or fewer where priors leave less to tell.
+/// @param num_lengths  c: lengths between them that have to agree; one less where the scale is
+/// free.
+/// @return 0 or more where k <= m.
+double log10_false_alarms(double k, double n, int sample_size, int num_lengths,
+                          const Chance& chance);
 
 }  // namespace gmcr::noise

@@ -8,6 +8,7 @@
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"
 #include "search/best_poses.hpp"
+#include "search/sampled_search.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -34,9 +35,6 @@ constexpr Index kMostOfUnknownScale = 1200;
 constexpr double kSureLog10 = -10;  // false alarms of a consensus that needs no second look
 
 constexpr Index kFirstCount = 4;  // of the sets that false alarms are counted of
-
-/// Metres; the squares of a bound and their squares stay normal numbers.
-constexpr double kLeastBound = 1e-60;
 
 /// A clique solver that gives up early: a rung needs a pose, not a proof.
 class BudgetedCliqueSolver : public CliqueSolver {
@@ -71,12 +69,24 @@ std::vector<double> measure_length_differences(const Points& source, const Point
   return differences;
 }
 
+/// Distance from the origin that few points exceed, whatever these are.
+double typical_norm(const Points& points) {
+  constexpr double kMost = 0.9;
+  const Eigen::RowVectorXd norms = points.colwise().norm();
+  std::vector<double> sorted(norms.begin(), norms.end());
+  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(kMost * (points.cols() - 1));
+  std::nth_element(sorted.begin(), most, sorted.end());
+  return *most;
+}
+
 /// The pose that holds the most, between the caller's frames, if it holds 3.
 std::optional<Similarity> find_pose(const problem::Problem& problem, problem::Run& run) {
   if (problem.is_too_small()) return std::nullopt;
-  const problem::Found found = problem.options().method == Method::Paper
-                                   ? paper::solve(problem, run)
-                                   : search::BestPoseSearch(problem, run).found();
+  const problem::Found found = [&] {
+    if (problem.options().method == Method::Paper) return paper::solve(problem, run);
+    if (problem.is_sampled()) return search::sampled_search(problem, run);
+    return search::BestPoseSearch(problem, run).found();
+  }();
   if (found.poses.empty()) return std::nullopt;
   const auto pose = estimation::admitted_pose(
       problem::uncentre(found.poses.front(), problem.correspondences()).similarity,
@@ -102,8 +112,8 @@ NoiseBoundSearch::NoiseBoundSearch(const PointsRef& source, const PointsRef& tar
   const double scale = options.scale_mode == ScaleMode::Known ? options.scale : typical_scale;
   length_differences_ = measure_length_differences(source_, target_, scale);
   const double digits = 64 * std::numeric_limits<double>::epsilon();
-  rounding_ = std::max(digits * (problem::max_norm(target_) + scale * problem::max_norm(source_)),
-                       kLeastBound);
+  rounding_ =
+      std::max(digits * (typical_norm(target_) + scale * typical_norm(source_)), kLeastMagnitude);
 }
 
 void NoiseBoundSearch::run() {

@@ -1,25 +1,42 @@
 #include "noise/noise_estimation.hpp"
 
+#include <algorithm>
 #include <array>
-#include <map>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "noise/noise_bound_search.hpp"
 #include "parallel/stopwatch.hpp"
-#include "problem/run.hpp"
+#include "problem/selection.hpp"
 
 namespace gmcr::noise {
 namespace {
 
-/// The correspondences that equal no earlier one, ascending.
+using Coordinates = std::array<double, 6>;
+
+/// One of each of the correspondences that are equal, in an order without a pattern that depends on
+/// neither theirs, nor the unit, nor the origin: parts of it are even, and what is chosen by it is
+/// the same whatever came first.
 std::vector<Index> distinct_correspondences(const PointsRef& source, const PointsRef& target) {
-  std::map<std::array<double, 6>, Index> first;
-  std::vector<Index> kept;
+  std::vector<std::pair<Coordinates, Index>> matches;
+  matches.reserve(static_cast<std::size_t>(source.cols()));
   for (Index i = 0; i < source.cols(); ++i) {
-    const std::array<double, 6> key{source(0, i), source(1, i), source(2, i),
-                                    target(0, i), target(1, i), target(2, i)};
-    if (first.emplace(key, i).second) kept.push_back(i);
+    matches.push_back(
+        {{source(0, i), source(1, i), source(2, i), target(0, i), target(1, i), target(2, i)}, i});
   }
+  std::sort(matches.begin(), matches.end());
+  const auto end = std::unique(matches.begin(), matches.end(),
+                               [](const auto& a, const auto& b) { return a.first == b.first; });
+  matches.erase(end, matches.end());
+  std::vector<std::pair<std::uint64_t, Index>> order;
+  order.reserve(matches.size());
+  for (const auto& [coordinates, index] : matches) {
+    order.emplace_back(problem::mixed(order.size()), index);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> kept;
+  for (const auto& [place, index] : order) kept.push_back(index);
   return kept;
 }
 
@@ -28,10 +45,6 @@ std::vector<Index> distinct_correspondences(const PointsRef& source, const Point
 ChosenNoise choose_noise(const PointsRef& source, const PointsRef& target, const Options& options) {
   const std::vector<Index> distinct = distinct_correspondences(source, target);
   if (distinct.size() < 3) return {};
-  if (options.admit_all()) {
-    // before any work; priors may leave fewer
-    problem::Run(options).require_memory_for_graph(source.cols());
-  }
   const parallel::Stopwatch clock;
   const Points distinct_source = source(Eigen::all, distinct);
   const Points distinct_target = target(Eigen::all, distinct);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/angles.hpp"
+#include "gmcr/options.hpp"
 
 namespace gmcr::options {
 
@@ -19,9 +20,23 @@ struct Range {
   const char* words = "";           ///< as in "0 is not ..."
 };
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 inline constexpr Range kAny{};
 inline constexpr Range kPositive{[](double v) { return v > 0 && std::isfinite(v); },
                                  "positive and finite"};
+/// What a solve computes with; see `kLeastMagnitude`.
+inline constexpr bool is_magnitude(double v) {
+  return v >= kLeastMagnitude && v <= kLargestMagnitude;
+}
+inline constexpr Range kMagnitude{is_magnitude, "in [1e-50, 1e50]"};
+inline constexpr Range kPlace{[](double v) { return v == 0 || is_magnitude(v); },
+                              "0 or in [1e-50, 1e50]"};
+inline constexpr Range kReach{[](double v) { return is_magnitude(v) || v == kInfinity; },
+                              "positive, in [1e-50, 1e50] or infinite"};
+inline constexpr Range kReachOrNone{
+    [](double v) { return v == 0 || is_magnitude(v) || v == kInfinity; },
+    "at least 0, in [1e-50, 1e50] or infinite"};
 inline constexpr Range kNotNegative{[](double v) { return v >= 0 && std::isfinite(v); },
                                     "at least 0 and finite"};
 inline constexpr Range kAboveZero{[](double v) { return v > 0; }, "positive"};

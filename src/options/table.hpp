@@ -46,7 +46,7 @@ struct Table<InitialPose> : TableDefaults {
               .help = "Largest distance from the translation of the initial pose",
               .unit = "metres",
               .group = "Priors",
-              .range = kZeroOrMore,
+              .range = kReachOrNone,
               .alias = "max-translation-error"}}};
 };
 
@@ -58,19 +58,19 @@ struct Table<Options> : TableDefaults {
               .help = "Whether the noise is 'given', or 'estimated': one bound for all is chosen "
                       "from the data",
               .group = "Noise"}},
-      Option{
-          &Options::noise_bound,
-          {.name = "noise_bound",
-           .help = "Largest error of a right match, > 0; needed where the noise is given, unless "
-                   "each match has a bound of its own",
-           .unit = "metres",
-           .group = "Noise"}},
+      Option{&Options::noise_bound,
+             {.name = "noise_bound",
+              .help = "Largest error of a right match, in [1e-50, 1e50]; needed where the noise is "
+                      "given, unless "
+                      "each match has a bound of its own",
+              .unit = "metres",
+              .group = "Noise"}},
       Option{&Options::noise_bounds,
              {.name = "noise_bounds",
               .help = "One bound for each match, instead of noise_bound",
               .unit = "metres",
               .group = "Noise",
-              .range = kPositive}},
+              .range = kMagnitude}},
       Option{&Options::scale_mode,
              {.name = "scale_mode",
               .help = "Whether the scale is 'known' or 'estimated'",
@@ -79,7 +79,7 @@ struct Table<Options> : TableDefaults {
              {.name = "scale",
               .help = "Known scale, target / source",
               .group = "Scale",
-              .range = kPositive}},
+              .range = kMagnitude}},
       Option{&Options::scale_range,
              {.name = "scale_range",
               .help = "Smallest and largest scale to search where it is estimated; from the data "
@@ -107,7 +107,7 @@ struct Table<Options> : TableDefaults {
               .help = "Longest translation",
               .unit = "metres",
               .group = "Priors",
-              .range = kAboveZero}},
+              .range = kReach}},
       Option{&Options::one_to_one,
              {.name = "one_to_one",
               .help = "Search for poses with at most one inlier of those that share a point",

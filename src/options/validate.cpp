@@ -21,7 +21,7 @@ void check_noise(const Options& o) {
     require(o.noise_bounds.empty(), "noise_bounds", o.noise_bounds.size(),
             "values are given, but the noise is to be estimated");
   } else if (o.noise_bounds.empty()) {
-    check("noise_bound", o.noise_bound, kPositive);
+    check("noise_bound", o.noise_bound, kMagnitude);
   } else {
     require(o.noise_bound == 0, "noise_bound", o.noise_bound,
             "must be 0 where noise_bounds is given");
@@ -49,15 +49,15 @@ void check_method(const Options& o) {
 }  // namespace
 
 void check(const std::string& name, const ScaleRange& range, const Range&) {
-  check(name + ".min", range.min, kPositive);
-  check(name + ".max", range.max, kPositive);
+  check(name + ".min", range.min, kMagnitude);
+  check(name + ".max", range.max, kMagnitude);
   require(range.min <= range.max, name + ".min", range.min, "exceeds " + name + ".max");
 }
 
 void check(const std::string& name, const Similarity& pose, const Range&) {
   require(is_rotation(pose.rotation), name + ".rotation", pose.rotation,
           "is not orthonormal with determinant 1");
-  check(name + ".translation", pose.translation, kFinite);
+  check(name + ".translation", pose.translation, kPlace);
 }
 
 }  // namespace options
@@ -72,7 +72,7 @@ void Options::validate() const {
 void Priors::validate() const {
   if (gravity) options::check_ranges(*gravity, "gravity.");
   if (initial_pose) options::check_ranges(*initial_pose, "initial_pose.");
-  options::check("max_translation", max_translation, options::kAboveZero);
+  options::check("max_translation", max_translation, options::kReach);
 }
 
 void InstanceOptions::validate() const { options::check_ranges(*this); }

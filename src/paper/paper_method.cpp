@@ -42,9 +42,25 @@ void require_memory_for_tims(const Run& run, Index num_correspondences) {
                                           " correspondences takes " + std::to_string(bytes));
 }
 
-/// All pairs that the filter admits, in lexicographic order.
+std::vector<Index> all_of(const Problem& problem) {
+  std::vector<Index> all(static_cast<std::size_t>(problem.size()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+/// All pairs of the given correspondences.
+std::vector<Pair> pairs_of(const std::vector<Index>& members) {
+  std::vector<Pair> pairs = all_pairs(static_cast<Index>(members.size()));
+  for (auto& [p, q] : pairs) {
+    p = members[static_cast<std::size_t>(p)];
+    q = members[static_cast<std::size_t>(q)];
+  }
+  return pairs;
+}
+
+/// All pairs that the filter admits and that say anything, in lexicographic order.
 std::vector<Pair> admitted_pairs(const Problem& problem) {
-  std::vector<Pair> pairs = all_pairs(problem.size());
+  std::vector<Pair> pairs = pairs_of(problem.clear_of_rounding(all_of(problem)));
   if (!problem.filter().is_empty()) {
     std::erase_if(pairs, [&](const Pair& pair) {
       return !problem.filter().admits_pair(pair.first, pair.second, problem.scales());
@@ -57,12 +73,15 @@ std::vector<Pair> admitted_pairs(const Problem& problem) {
 std::optional<Pruned> prune_by_scale(const Problem& problem, Run& run) {
   const StageTimer timer(run, "scale");
   require_memory_for_tims(run, problem.size());
+  const Index num_clear = static_cast<Index>(problem.clear_of_rounding(all_of(problem)).size());
   const Tims tims = make_tims(problem.correspondences(), admitted_pairs(problem));
   if (run.stopped()) return std::nullopt;
   const auto consensus = scale_consensus(tims, problem.scales());
   if (!consensus) return std::nullopt;
-  return Pruned{select(tims, consensus->tims), consensus->scale,
-                max_members(static_cast<Index>(consensus->tims.size()))};
+  // those that were left out may be inliers
+  return Pruned{
+      select(tims, consensus->tims), consensus->scale,
+      max_members(static_cast<Index>(consensus->tims.size())) + problem.size() - num_clear};
 }
 
 /// Known scale: keep the pairs within the maximum clique of the consistency graph (Parra et al.
@@ -77,13 +96,9 @@ std::optional<Pruned> prune_by_consistency(const Problem& problem, Run& run) {
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;
   require_memory_for_tims(run, size);
-  std::vector<Pair> pairs;
-  for (const auto [p, q] : all_pairs(size)) {
-    pairs.push_back({clique.vertices[static_cast<std::size_t>(p)],
-                     clique.vertices[static_cast<std::size_t>(q)]});
-  }
-  return Pruned{make_tims(problem.correspondences(), std::move(pairs)), problem.scales().min,
-                static_cast<Index>(clique.upper_bound)};
+  return Pruned{
+      make_tims(problem.correspondences(), pairs_of(problem.clear_of_rounding(clique.vertices))),
+      problem.scales().min, static_cast<Index>(clique.upper_bound)};
 }
 
 /// Where the rotation graph of all TIMs would not fit into the memory budget: the longest that do.

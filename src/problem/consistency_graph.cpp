@@ -7,17 +7,29 @@
 
 namespace gmcr::problem {
 
+Eigen::ArrayXd rounding_of_residuals(const Correspondences& correspondences, double scale_max) {
+  // a residual of the caller's coordinates is off by a few units in the last place of its terms
+  constexpr double kUnits = 16 * std::numeric_limits<double>::epsilon();
+  constexpr double kNegligible = 1e-3;
+  const double source_origin = correspondences.source_origin.norm();
+  const double target_origin = correspondences.target_origin.norm();
+  const Index n = correspondences.size();
+  const double largest = kUnits * (max_norm(correspondences.target) + target_origin +
+                                   scale_max * (max_norm(correspondences.source) + source_origin));
+  // bounds that are alike stay alike, which graphs are built faster of
+  if (n == 0 || largest <= kNegligible * correspondences.bounds.minCoeff()) {
+    return Eigen::ArrayXd::Constant(n, largest);
+  }
+  // a match that is far out says nothing of the others
+  return kUnits * (correspondences.target.colwise().norm().transpose().array() + target_origin +
+                   scale_max * (correspondences.source.colwise().norm().transpose().array() +
+                                source_origin));
+}
+
 geometry::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
                                                   double scale_max) {
-  // a residual of the caller's coordinates is off by a few units in the last place of its terms
-  const double source_size =
-      max_norm(correspondences.source) + correspondences.source_origin.norm();
-  const double target_size =
-      max_norm(correspondences.target) + correspondences.target_origin.norm();
-  const double rounding =
-      16 * std::numeric_limits<double>::epsilon() * (target_size + scale_max * source_size);
   return {correspondences.source.transpose(), correspondences.target.transpose(),
-          correspondences.bounds + rounding};
+          correspondences.bounds + rounding_of_residuals(correspondences, scale_max)};
 }
 
 BitsetGraph consistency_graph(const geometry::CorrespondenceArrays& arrays,

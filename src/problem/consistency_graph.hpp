@@ -8,8 +8,12 @@
 
 namespace gmcr::problem {
 
+/// Metres by which a residual of each correspondence may be off by rounding at scales up to
+/// `scale_max`, at least; the same of all where it is small beside every bound.
+Eigen::ArrayXd rounding_of_residuals(const Correspondences& correspondences, double scale_max);
+
 /// The correspondences laid out for the consistency kernel, with bounds widened by the rounding of
-/// residuals at scales up to `scale_max`: two inliers of one pose are never without an edge.
+/// their residuals: two inliers of one pose are never without an edge.
 geometry::CorrespondenceArrays consistency_arrays(const Correspondences& correspondences,
                                                   double scale_max);
 

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
+#include "problem/selection.hpp"
+
 namespace gmcr::problem {
 
 Correspondences centre(const PointsRef& source, const PointsRef& target,
                        const Eigen::ArrayXd& bounds) {
   Correspondences c;
   c.bounds = bounds;
-  if (source.cols() > 0) {
-    c.source_origin = source.rowwise().mean();
-    c.target_origin = target.rowwise().mean();
-  }
+  c.source_origin = middle_of(source);
+  c.target_origin = middle_of(target);
   c.source = source.colwise() - c.source_origin;
   c.target = target.colwise() - c.target_origin;
   return c;

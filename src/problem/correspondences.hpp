@@ -11,8 +11,10 @@ namespace gmcr::problem {
 /// Where coordinates are measured from. Points and poses of one frame and of another are different
 /// types, so that mixing them does not compile.
 enum class Frame {
-  Caller,   ///< the caller's origins: residuals that the caller can check
-  Centred,  ///< the centroids of the clouds, so that a cloud far from its origin loses no digits
+  Caller,  ///< the caller's origins: residuals that the caller can check
+  /// The middles of the clouds, so that a cloud far from its origin loses no digits, whatever a few
+  /// far points are.
+  Centred,
 };
 
 template <Frame frame>
@@ -28,7 +30,7 @@ struct CorrespondencesIn<Frame::Caller> {
 };
 using CallerCorrespondences = CorrespondencesIn<Frame::Caller>;
 
-/// Matches in frames at their own centroids.
+/// Matches in frames at the middles of their points.
 template <>
 struct CorrespondencesIn<Frame::Centred> {
   Points source, target;  ///< 3 x N, metres, relative to the origins below
@@ -50,7 +52,7 @@ struct PoseIn {
 using CallerPose = PoseIn<Frame::Caller>;
 using CentredPose = PoseIn<Frame::Centred>;
 
-/// Centres both clouds. @param bounds  N inlier bounds, metres.
+/// Centres both clouds at their coordinate-wise medians. @param bounds  N inlier bounds, metres.
 Correspondences centre(const PointsRef& source, const PointsRef& target,
                        const Eigen::ArrayXd& bounds);
 

@@ -7,6 +7,7 @@
 
 #include "gmcr/options.hpp"
 #include "gmcr/types.hpp"
+#include "parallel/deadline.hpp"
 #include "problem/scale_buckets.hpp"
 
 namespace gmcr::problem {
@@ -34,10 +35,12 @@ class DistinctEvidence {
   /// near targets).
   /// @param max_bytes  for the pairs of near targets, as if all were listed. Where it does not
   ///   suffice, `complete()` is false and every weight is 1.
+  /// @param deadline   where it passes first, so it is.
   /// @param scales     at which weights are asked for; in one bucket nothing is listed.
   DistinctEvidence(const PointsRef& source, const PointsRef& target, const Eigen::ArrayXd& bounds,
                    std::size_t max_bytes, const ScaleBuckets& buckets,
-                   const ScaleRange& scales = kAllScales);
+                   const ScaleRange& scales = kAllScales,
+                   const parallel::Deadline& deadline = parallel::Deadline::never());
 
   bool complete() const { return complete_; }
 

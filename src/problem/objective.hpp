@@ -9,7 +9,8 @@
 
 namespace gmcr::problem {
 
-constexpr Index kMinInliers = 3;  ///< that determine a pose
+/// That determine a pose of which nothing is known, and its noise; `Problem::min_inliers`.
+constexpr Index kMinInliers = 3;
 
 /// A pose with all that the objective says of it.
 template <Frame frame>
@@ -43,9 +44,12 @@ class ObjectiveIn {
   /// @param max_bytes  memory that the evidence weights may take.
   /// @param scales     where the scale of all poses lies; in one bucket a weight costs nothing.
   /// @param buckets    by which the weights differ.
+  /// @param deadline   where it passes first, each weight is 1, as where the memory does not
+  /// suffice.
   ObjectiveIn(const CorrespondencesIn<frame>& correspondences, Evidence evidence,
               std::size_t max_bytes, const ScaleRange& scales = DistinctEvidence::kAllScales,
-              const ScaleBuckets& buckets = ScaleBuckets(1));
+              const ScaleBuckets& buckets = ScaleBuckets(1),
+              const parallel::Deadline& deadline = parallel::Deadline::never());
 
   const CorrespondencesIn<frame>& correspondences() const { return correspondences_; }
 
@@ -63,7 +67,7 @@ class ObjectiveIn {
   /// Evidence that the given correspondences give together at a scale.
   double evidence_of(const std::vector<Index>& indices, double scale) const;
 
-  /// Whether the memory sufficed for the weights; if not, each is 1.
+  /// Whether memory and time sufficed for the weights; if not, each is 1.
   bool weights_complete() const { return !distinct_ || distinct_->complete(); }
 
   /// Correspondences whose residual is at most `factor` times their bound, ascending.

@@ -47,22 +47,16 @@ std::vector<TranslationPrior> translation_priors(const Priors& priors) {
   return result;
 }
 
-/// By how much the bounds were widened.
-double rounding_of(const geometry::CorrespondenceArrays& arrays,
-                   const Correspondences& correspondences) {
-  const Index n = correspondences.size();
-  return n == 0 ? 0 : (arrays.bounds.head(n) - correspondences.bounds).maxCoeff();
-}
-
 /// The correspondences and after them the virtual ones, with bounds widened by rounding.
 geometry::CorrespondenceArrays with_virtual(const Correspondences& correspondences,
                                             const std::vector<TranslationPrior>& translations,
-                                            double scale_max) {
+                                            const Eigen::ArrayXd& rounding, double scale_max) {
   geometry::CorrespondenceArrays arrays = consistency_arrays(correspondences, scale_max);
   const Index n = arrays.size(), count = n + static_cast<Index>(translations.size());
   if (count == n) return arrays;
   constexpr double kRounding = 1e-11;  // above what `Priors::admit` grants
-  const double widened = rounding_of(arrays, correspondences);
+  // of the origins alone; 0 where there are no correspondences that could be inliers
+  const double widened = n == 0 ? 0 : rounding.minCoeff();
   arrays.source.conservativeResize(count, 3);
   arrays.target.conservativeResize(count, 3);
   arrays.bounds.conservativeResize(count);
@@ -90,8 +84,11 @@ PairFilter::PairFilter(const Correspondences& correspondences, const Priors& pri
     : num_correspondences_(correspondences.size()), one_to_one_(one_to_one) {
   const std::vector<TranslationPrior> translations = translation_priors(priors);
   num_virtual_ = static_cast<Index>(translations.size());
-  arrays_ = with_virtual(correspondences, translations, scales.max);
-  const double rounding = rounding_of(arrays_, correspondences);
+  Eigen::ArrayXd rounding = rounding_of_residuals(correspondences, scales.max);
+  arrays_ = with_virtual(correspondences, translations, rounding, scales.max);
+  const double of_origins = num_correspondences_ == 0 ? 0 : rounding.minCoeff();
+  rounding.conservativeResize(arrays_.size());
+  rounding.tail(num_virtual_).setConstant(of_origins);
   if (priors.gravity) {
     add(true, priors.gravity->max_tilt, to_last_axis(priors.gravity->source),
         to_last_axis(priors.gravity->target), rounding);
@@ -107,7 +104,7 @@ PairFilter::PairFilter(const Correspondences& correspondences, const Priors& pri
 }
 
 void PairFilter::add(bool about_axis, double angle, const Eigen::Matrix3d& source_turn,
-                     const Eigen::Matrix3d& target_turn, double rounding) {
+                     const Eigen::Matrix3d& target_turn, const Eigen::ArrayXd& rounding) {
   const double widened = angle + 2 * geometry::kAngleSlack;
   if (widened >= std::numbers::pi) return;
   AnglePrior prior{about_axis, std::cos(widened), std::sin(widened), {}};
@@ -115,7 +112,7 @@ void PairFilter::add(bool about_axis, double angle, const Eigen::Matrix3d& sourc
   prior.ends.topRows<3>() = source_turn * arrays_.source.transpose();
   prior.ends.middleRows<3>(3) = target_turn * arrays_.target.transpose();
   // turning the points rounds them once more
-  prior.ends.row(6) = arrays_.bounds.transpose() + rounding;
+  prior.ends.row(6) = (arrays_.bounds + rounding).transpose();
   angles_.push_back(std::move(prior));
 }
 

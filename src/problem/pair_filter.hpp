@@ -67,7 +67,7 @@ class PairFilter {
   };
 
   void add(bool about_axis, double angle, const Eigen::Matrix3d& source_turn,
-           const Eigen::Matrix3d& target_turn, double rounding);
+           const Eigen::Matrix3d& target_turn, const Eigen::ArrayXd& rounding);
   bool admits_rotation(Index i, Index j, const ScaleRange& scales) const;
   bool share_end_point(Index i, Index j) const;
 

@@ -11,6 +11,16 @@
 namespace gmcr::problem {
 namespace {
 
+/// A search of fewer than so many tells nothing of more.
+constexpr Index kLeastSample = 1024;
+/// A time limit that graphs exceed by more is for a sample.
+constexpr double kFarBeyond = 2;
+
+bool has_one_scale(const Options& options) {
+  return options.scale_mode == ScaleMode::Known ||
+         (options.scale_range && options.scale_range->min == options.scale_range->max);
+}
+
 /// The correspondences that the priors on the translation admit, ascending.
 std::vector<Index> admitted_correspondences(const Correspondences& all, const Priors& priors,
                                             const ScaleRange& scales) {
@@ -27,6 +37,7 @@ std::vector<Index> admitted_correspondences(const Correspondences& all, const Pr
 Problem::Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run)
     : options_(options),
       input_{source, target, inlier_bounds(options, source.cols())},
+      min_inliers_(estimation::min_correspondences(options, has_one_scale(options))),
       size_(source.cols()),
       buckets_(scale_buckets_of(options, source, target)) {
   Diagnostics& diagnostics = run.diagnostics();
@@ -39,7 +50,13 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
   diagnostics.scale_range = scales;
   diagnostics.num_used = size_ = static_cast<Index>(used.size());
   if (is_too_small()) return;
-  run.require_memory_for_graph(size_);
+  const bool is_whole = options.method == Method::Paper;
+  run.require_memory_for_graph(is_whole ? size_ : std::min(size_, kLeastSample));
+  const bool exceeds_memory = size_ > run.num_in_memory();
+  const bool exceeds_time =
+      foreseen_seconds(size_, scales.min == scales.max) > kFarBeyond * options.time_limit;
+  is_sampled_ = !is_whole && size_ > kLeastSample && (exceeds_memory || exceeds_time);
+  if (is_sampled_) run.limit(search_of_a_sample(exceeds_memory ? Limit::Memory : Limit::Time));
   if (size_ < input_.size()) {
     correspondences_ =
         centre(source(Eigen::all, used), target(Eigen::all, used), input_.bounds(used));
@@ -47,12 +64,30 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
   constraints_ = {scales, options, correspondences_.source_origin, correspondences_.target_origin};
   {
     const StageTimer timer(run, "evidence");
-    objective_.emplace(correspondences_, options.evidence, options.memory_limit / 4, scales,
-                       buckets_);
+    objective_.emplace(correspondences_, is_sampled_ ? Evidence::Count : options.evidence,
+                       options.memory_limit / 4, scales, buckets_, run.deadline());
   }
-  if (!objective_->weights_complete()) run.limit(weights_incomplete());
+  if (is_sampled_) {
+    if (options.evidence == Evidence::Distinct) run.limit(evidence_counted());
+    return;
+  }
+  if (!objective_->weights_complete() && !run.stopped()) run.limit(weights_incomplete());
   filter_.emplace(correspondences_, options, options.one_to_one, scales);
   arrays_ = consistency_arrays(correspondences_, scales.max);
+}
+
+bool Problem::is_hurried() const {
+  constexpr double kSecondsEach = 2e-6;
+  return is_sampled_ && kSecondsEach * static_cast<double>(size_) > options_.time_limit;
+}
+
+std::vector<Index> Problem::clear_of_rounding(std::vector<Index> indices) const {
+  constexpr double kMostRounding = 4;  // bounds
+  std::vector<Index> clear = indices;
+  std::erase_if(clear, [&](Index i) {
+    return arrays_.bounds[i] > (1 + kMostRounding) * correspondences_.bounds[i];
+  });
+  return static_cast<Index>(clear.size()) < kMinInliers ? indices : clear;
 }
 
 }  // namespace gmcr::problem

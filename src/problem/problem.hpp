@@ -14,6 +14,14 @@
 
 namespace gmcr::problem {
 
+/// Seconds that the graphs of a search among so many correspondences take, about: times are weighed
+/// by it without a clock, so that the same input has the same answer on any machine.
+inline double foreseen_seconds(Index num_correspondences, bool scale_is_known) {
+  constexpr double kOfAPair = 6e-10, kScales = 10;
+  const auto n = static_cast<double>(num_correspondences);
+  return kOfAPair * n * n / 2 * (scale_is_known ? 1 : kScales);
+}
+
 /// One problem, as all of a solve sees it: what was given, in the layouts and with the bounds that
 /// the stages read. Nothing of it changes once it is built.
 ///
@@ -21,9 +29,12 @@ namespace gmcr::problem {
 /// of all but `input()`. The admitted ones have numbers of their own, from 0 to size() - 1.
 class Problem {
  public:
+  /// Where a sample is searched, only what judges poses is built: `filter` and `arrays` are empty,
+  /// and inliers are counted.
   /// Keeps references to the points and the options.
   /// @param source, target, options  valid, with a noise bound.
-  /// @throws std::invalid_argument where the consistency graph exceeds the memory budget.
+  /// @throws std::invalid_argument where the memory budget does not suffice for a graph of a sample
+  ///   either, and for the graph of all where the method is that of the paper.
   /// Cost O(N log N), and the pairs of near targets for distinct evidence.
   Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run);
   Problem(const Problem&) = delete;
@@ -37,7 +48,21 @@ class Problem {
   Index size() const { return size_; }
 
   /// Whether the admitted correspondences are too few for a pose: all that follows is empty then.
-  bool is_too_small() const { return size_ < kMinInliers; }
+  bool is_too_small() const { return size_ < min_inliers(); }
+
+  /// Inliers that determine a pose, with what is known of it.
+  Index min_inliers() const { return min_inliers_; }
+
+  /// Whether the memory or the time is far from sufficing for a consistency graph of all of them,
+  /// so that a sample is searched. The method of the paper has none.
+  bool is_sampled() const { return is_sampled_; }
+
+  /// Whether the time hardly suffices for some passes over all of them.
+  bool is_hurried() const;
+
+  /// Those of the given correspondences whose residuals are not all rounding: what is far enough
+  /// out agrees with most others and says nothing of a pose. All of them where hardly any is left.
+  std::vector<Index> clear_of_rounding(std::vector<Index> indices) const;
 
   const Correspondences& correspondences() const { return correspondences_; }
   const ScaleRange& scales() const { return constraints_.scales; }
@@ -60,7 +85,9 @@ class Problem {
  private:
   const Options& options_;
   CallerCorrespondences input_;
+  Index min_inliers_ = kMinInliers;
   Index size_ = 0;
+  bool is_sampled_ = false;
   Correspondences correspondences_;
   ScaleBuckets buckets_;
   estimation::PoseConstraints constraints_;

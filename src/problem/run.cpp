@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace gmcr::problem {
@@ -29,6 +30,16 @@ std::size_t memory_left(const BitsetGraph& graph, std::size_t budget) {
 }
 
 }  // namespace
+
+LimitHit search_of_a_sample(Limit limit) {
+  return {limit, std::string(limit == Limit::Memory ? "the memory budget" : "the time budget") +
+                     " does not suffice for the graph of all correspondences: a sample of them was "
+                     "searched, and no number of inliers below that of all is excluded"};
+}
+
+LimitHit evidence_counted() {
+  return {Limit::EvidenceSearch, "inliers were counted, as only a sample of them was searched"};
+}
 
 LimitHit weights_incomplete() {
   return {Limit::Memory,
@@ -94,6 +105,22 @@ Run::Clique Run::max_weight_clique(const BitsetGraph& graph, std::span<const dou
   diagnostics_.num_clique_nodes += found.nodes;
   return {found.weight > must_exceed ? std::move(found.vertices) : std::vector<Index>(),
           found.upper_bound, found.proven_optimal};
+}
+
+Index Run::num_in_memory() const {
+  Index fits = 0, exceeds = Index{1} << 31;  // 2^59 bytes
+  while (exceeds - fits > 1) {
+    const Index middle = (fits + exceeds) / 2;
+    (BitsetGraph::bytes_required(middle) <= options_.memory_limit ? fits : exceeds) = middle;
+  }
+  return fits;
+}
+
+void Run::add_work(const Diagnostics& part) {
+  diagnostics_.num_candidates += part.num_candidates;
+  diagnostics_.num_scale_ranges += part.num_scale_ranges;
+  diagnostics_.num_clique_nodes += part.num_clique_nodes;
+  for (const StageTime& stage : part.stages) add_stage_time(stage.name.c_str(), stage.seconds);
 }
 
 void Run::require_memory_for_graph(Index num_vertices) const {

@@ -49,8 +49,14 @@ class Run {
   Clique max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
                            double must_exceed, std::uint64_t max_nodes);
 
+  /// Vertices of the largest graph that the memory budget takes.
+  Index num_in_memory() const;
+
   /// @throws std::invalid_argument where a graph of that size exceeds the memory budget.
   void require_memory_for_graph(Index num_vertices) const;
+
+  /// Adds the counts and the times of work on a part of the problem.
+  void add_work(const Diagnostics& part);
 
   void add_stage_time(const char* stage, double seconds);
 
@@ -64,6 +70,12 @@ class Run {
   parallel::Stopwatch clock_;
   bool cancelled_ = false;
 };
+
+/// What a solve says where memory or time does not suffice for the graph of all correspondences.
+LimitHit search_of_a_sample(Limit limit);
+
+/// What it says of evidence then.
+LimitHit evidence_counted();
 
 /// What a solve says where distinct evidence does not fit into its share of the memory.
 LimitHit weights_incomplete();

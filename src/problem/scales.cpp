@@ -2,28 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "problem/selection.hpp"
 
 namespace gmcr::problem {
 namespace {
 
 constexpr double kSizeFactor = 20;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Median distance of the points from their median point.
+/// Median distance of the points from their median point, of an even selection of very many.
 double median_radius(const PointsRef& points) {
+  constexpr Index kEnough = 16384;
   if (points.cols() == 0) return 0;
-  Eigen::Vector3d centre;
-  for (Index axis = 0; axis < 3; ++axis) {
-    const Eigen::VectorXd row = points.row(axis);
-    centre[axis] = median({row.begin(), row.end()});
+  if (points.cols() > kEnough) {
+    return median_radius(points(Eigen::all, stratified_selection(points.cols(), kEnough)));
   }
-  const Eigen::RowVectorXd distances = (points.colwise() - centre).colwise().norm();
+  const Eigen::RowVectorXd distances = (points.colwise() - median_point(points)).colwise().norm();
   return median({distances.begin(), distances.end()});
 }
 
@@ -46,9 +40,16 @@ ScaleBuckets scale_buckets_of(const Options& options, const PointsRef& source,
 
 ScaleRange default_scale_range(const Correspondences& correspondences) {
   // the median withstands a few points far out; the mean square sees a far minority of both clouds
-  const double by_norm = ratio_of(correspondences.source.norm(), correspondences.target.norm());
+  constexpr double kMostApart = 1e4;  // a point farther out than any scene is none of it
   const double by_median = typical_scale(correspondences.source, correspondences.target);
-  return {std::min(by_norm, by_median) / kSizeFactor, std::max(by_norm, by_median) * kSizeFactor};
+  const double by_norm =
+      std::clamp(ratio_of(correspondences.source.norm(), correspondences.target.norm()),
+                 by_median / kMostApart, by_median * kMostApart);
+  const auto within = [](double scale) {
+    return std::clamp(scale, kLeastMagnitude, kLargestMagnitude);
+  };
+  return {within(std::min(by_norm, by_median) / kSizeFactor),
+          within(std::max(by_norm, by_median) * kSizeFactor)};
 }
 
 ScaleRange scales_to_search(const Options& options, const Correspondences& correspondences) {

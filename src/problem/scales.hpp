@@ -16,7 +16,8 @@ ScaleBuckets scale_buckets_of(const Options& options, const PointsRef& source,
                               const PointsRef& target);
 
 /// Where an unknown scale is searched for when the caller does not say: within a factor of 20 of
-/// the ratios of the clouds' sizes, by their medians and by their mean squares.
+/// the ratios of the clouds' sizes, by their medians and by their mean squares, these at most 1e4
+/// apart; of magnitudes that a scale may have.
 ScaleRange default_scale_range(const Correspondences& correspondences);
 
 /// The known scale, or the range that the caller gives, or the default one.

@@ -42,7 +42,7 @@ Eigen::ArrayXd PoseNeighbourhood::relative_squares(const problem::CentredPose& p
 }
 
 std::optional<problem::CentredPose> PoseNeighbourhood::fit(const Eigen::ArrayXd& weights) const {
-  if ((weights > 0).count() < problem::kMinInliers) return std::nullopt;
+  if ((weights > 0).count() < problem_.min_inliers()) return std::nullopt;
   const auto fit = estimation::fit_pose(
       estimation::measure_moments(source_, target_, weights * inverse_squared_bounds_),
       problem_.constraints());

@@ -34,11 +34,11 @@ class PoseNeighbourhood {
   Eigen::ArrayXd relative_squares(const problem::CentredPose& pose) const;
 
   /// Fit with the given weights, each over the squared bound.
-  /// @return nullopt where fewer than 3 are above 0, and where no admitted pose is found.
+  /// @return nullopt where too few are above 0, and where no admitted pose is found.
   std::optional<problem::CentredPose> fit(const Eigen::ArrayXd& weights) const;
 
   /// Fit to those whose entry of `relative_squares` is at most factor^2.
-  /// @return nullopt where they are fewer than 3, and where no admitted pose is found.
+  /// @return nullopt where they are too few, and where no admitted pose is found.
   std::optional<problem::CentredPose> fit(const Eigen::ArrayXd& relative_squares,
                                           double factor) const;
 

@@ -43,7 +43,7 @@ std::vector<Judged> judge_all(const Problem& problem, const Found& found,
     const auto pose = admitted_pose(problem, centred);
     if (!pose) return std::nullopt;
     CallerHypothesis hypothesis = on_input.judge(*pose);
-    if (hypothesis.num_inliers() < problem::kMinInliers) return std::nullopt;
+    if (hypothesis.num_inliers() < problem.min_inliers()) return std::nullopt;
     if (weights) hypothesis.evidence = weights->evidence_of(hypothesis.inliers, pose->scale());
     return hypothesis;
   };
@@ -51,7 +51,8 @@ std::vector<Judged> judge_all(const Problem& problem, const Found& found,
   for (std::size_t k = 0; k < found.poses.size(); ++k) {
     auto held = judge(found.poses[k]);
     if (!held) continue;
-    auto returned = judge(fitted[k]);
+    const bool is_same = fitted[k].similarity.matrix() == found.poses[k].similarity.matrix();
+    auto returned = is_same ? held : judge(fitted[k]);
     if (!returned) returned = held;
     all.push_back({std::move(*held), std::move(*returned)});
   }
@@ -81,6 +82,10 @@ std::vector<Alternative> distinct_alternatives(std::vector<Judged> judged) {
 
 /// Fills what the residuals of the inliers say of the transform.
 void describe_uncertainty(Result& result, const Problem& problem, Run& run) {
+  if (problem.is_hurried()) {
+    result.consistent_scales = problem.scales();
+    return;
+  }
   const problem::StageTimer timer(run, "uncertainty");
   Uncertainty uncertainty = measure_uncertainty({result.target_from_source}, problem.input(),
                                                 result.inliers, problem.options(), run.deadline());
@@ -100,7 +105,8 @@ Result no_pose(Status status, const std::string& reason, const Problem& problem,
 }
 
 Result too_small(const Problem& problem, const Found& found) {
-  const std::string count = std::to_string(problem.size()) + " correspondences; 3 are needed";
+  const std::string count = std::to_string(problem.size()) + " correspondences; " +
+                            std::to_string(problem.min_inliers()) + " are needed";
   return problem.size() == problem.input().size()
              ? no_pose(Status::TooFewCorrespondences, count, problem, found,
                        found.evidence_upper_bound)
@@ -112,10 +118,12 @@ std::string no_pose_reason(const Problem& problem, const Run& run) {
   if (!run.diagnostics().limits_hit.empty()) {
     return "no pose was found before a limit ended the search";
   }
+  constexpr const char* kNone[] = {"no correspondence suits", "no two correspondences agree on",
+                                   "no three correspondences agree on"};
+  const std::string none = kNone[problem.min_inliers() - 1];
   return problem.options().admit_all()
-             ? "no three correspondences agree on a pose"
-             : "no three correspondences agree on a pose that the priors admit, as far as was "
-               "found";
+             ? none + " a pose"
+             : none + " a pose that the priors admit, as far as was found";
 }
 
 Result judged_answer(const Problem& problem, const Found& found,
@@ -123,12 +131,13 @@ Result judged_answer(const Problem& problem, const Found& found,
   // where all were used, their weights are known
   const Options& options = problem.options();
   const bool all_used = problem.size() == problem.input().size();
-  const CallerObjective on_input(problem.input(), all_used ? Evidence::Count : options.evidence,
+  const bool is_counted = all_used || problem.is_sampled();
+  const CallerObjective on_input(problem.input(), is_counted ? Evidence::Count : options.evidence,
                                  options.memory_limit / 4, problem::DistinctEvidence::kAllScales,
-                                 problem.buckets());
+                                 problem.buckets(), run.deadline());
   double evidence_upper_bound = found.evidence_upper_bound;
   if (!on_input.weights_complete()) {
-    run.limit(problem::weights_incomplete());
+    if (!run.stopped()) run.limit(problem::weights_incomplete());
     evidence_upper_bound = static_cast<double>(found.upper_bound);
   }
   std::vector<Judged> judged =
@@ -148,7 +157,7 @@ Result judged_answer(const Problem& problem, const Found& found,
   result.evidence = returned.evidence;
   result.status_reason =
       degeneracy_reason(problem.input().source, returned.pose.similarity, returned.inliers,
-                        problem.input().bounds(returned.inliers).maxCoeff(), options);
+                        problem.input().bounds(returned.inliers), options);
   result.status = result.status_reason.empty() ? Status::Ok : Status::Degenerate;
   result.alternatives = distinct_alternatives(std::move(judged));
   describe_uncertainty(result, problem, run);

@@ -1,29 +1,42 @@
 #include "registration/degeneracy.hpp"
 
-#include <algorithm>
-#include <numbers>
-
+#include "estimation/pose_constraints.hpp"
 #include "estimation/spread.hpp"
 
 namespace gmcr::registration {
 
 std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
-                              const std::vector<Index>& inliers, double bound,
-                              const Priors& priors) {
-  constexpr double kKnownAxis = std::numbers::pi / 180;
-  const estimation::Spread spread = estimation::measure_spread(source, inliers);
-  const double tolerance = std::max(bound / 2, 1e-9 * pose.scale * spread.from_centroid);
-  if (pose.scale * spread.from_centroid <= tolerance) {
-    return "the inliers coincide within the noise bound: rotation and scale are not determined";
+                              const std::vector<Index>& inliers, const Eigen::ArrayXd& bounds,
+                              const Options& options) {
+  const estimation::KnownRotation known = estimation::known_rotation(options);
+  const bool scale_is_known = options.scale_mode == ScaleMode::Known;
+  if (known == estimation::KnownRotation::All && scale_is_known) return {};
+  const estimation::Spread spread = estimation::measure_spread(source, inliers, bounds);
+  // what is within rounding of nothing is nothing
+  const Eigen::ArrayXd tolerances =
+      (bounds / 2).max(1e-9 * pose.scale * spread.from_centroid.max(spread.radius));
+  const auto says_nothing = [&](const Eigen::ArrayXd& distances) {
+    return (pose.scale * distances <= tolerances).all();
+  };
+  if (says_nothing(spread.from_centroid)) {
+    return scale_is_known ? "the inliers coincide within the noise bound: the rotation is not "
+                            "determined"
+           : known == estimation::KnownRotation::All
+               ? "the inliers coincide within the noise bound: the scale is not determined"
+               : "the inliers coincide within the noise bound: rotation and scale are not "
+                 "determined";
   }
-  if (priors.gravity && priors.gravity->max_tilt <= kKnownAxis) {
-    // only the rotation about gravity is left, which points off the line along it determine
-    const double distance = estimation::distance_from_line(source, inliers, priors.gravity->source);
-    if (pose.scale * distance > tolerance) return {};
+  if (known == estimation::KnownRotation::All) return {};
+  if (known == estimation::KnownRotation::ButAboutAxis) {
+    // points off a line along the axis determine the rotation about it
+    if (!says_nothing(
+            estimation::distances_from_line(source, inliers, bounds, options.gravity->source))) {
+      return {};
+    }
     return "the inliers are on a line along gravity within the noise bound: the rotation about it "
            "is not determined";
   }
-  if (pose.scale * spread.from_line <= tolerance) {
+  if (says_nothing(spread.from_line)) {
     return "the inliers are collinear within the noise bound: the rotation about their line is not "
            "determined";
   }

@@ -6,6 +6,7 @@
 #include "noise/noise_estimation.hpp"
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
+#include "problem/objective.hpp"
 #include "proof/certificate.hpp"
 #include "registration/verdict.hpp"
 
@@ -30,11 +31,11 @@ Options remaining_options(const Options& options, const noise::ChosenNoise& chos
 }
 
 /// The answer where no consensus stands out.
-Result no_consensus(const PointsRef& source, const PointsRef& target, const Options& options,
-                    const std::string& reason) {
+Result no_pose(Status status, const PointsRef& source, const PointsRef& target,
+               const Options& options, const std::string& reason) {
   const Index count = source.cols();
   Result result;
-  result.status = Status::NoConsensus;
+  result.status = status;
   result.status_reason = reason;
   judge_without_pose(result, source, target, options);
   result.certificate = proof::certify(0, count, 0, static_cast<double>(count));
@@ -55,12 +56,17 @@ std::string no_consensus_reason(const noise::ChosenNoise& chosen) {
 Result with_noise_bound(const PointsRef& source, const PointsRef& target, const Options& options,
                         const Solve& solve) {
   if (options.noise_mode == NoiseMode::Given) return solve(source, target, options);
-  if (source.cols() < 3) return solve(source, target, with_bound(options, 1));
+  if (source.cols() < problem::kMinInliers) {
+    return no_pose(Status::TooFewCorrespondences, source, target, options,
+                   std::to_string(source.cols()) + " correspondences; " +
+                       std::to_string(problem::kMinInliers) + " are needed");
+  }
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const noise::ChosenNoise chosen = noise::choose_noise(source, target, options);
   const bool stands_out = chosen.estimate && chosen.estimate->log10_false_alarms < 0;
   Result result = stands_out ? solve(source, target, remaining_options(options, chosen, deadline))
-                             : no_consensus(source, target, options, no_consensus_reason(chosen));
+                             : no_pose(Status::NoConsensus, source, target, options,
+                                       no_consensus_reason(chosen));
   if (!chosen.estimate) return result;
   result.noise_estimate = chosen.estimate;
   Diagnostics& diagnostics = result.diagnostics;

@@ -20,10 +20,17 @@ void require_given_noise(const Options& options) {
   throw InvalidOption("noise_mode", "is 'estimated', but a given pose needs a noise bound");
 }
 
-/// @throws std::invalid_argument where a pose is none.
+/// @throws std::invalid_argument where a pose is none, or of other magnitudes than a solve takes.
 void require_pose(const Similarity& pose) {
-  if (pose.scale > 0 && pose.matrix().allFinite()) return;
-  throw std::invalid_argument("target_from_source: is not finite, or its scale is not positive");
+  if (!(pose.scale > 0 && pose.matrix().allFinite())) {
+    throw std::invalid_argument("target_from_source: is not finite, or its scale is not positive");
+  }
+  if (pose.scale >= kLeastMagnitude && pose.scale <= kLargestMagnitude &&
+      pose.translation.cwiseAbs().maxCoeff() <= kLargestMagnitude) {
+    return;
+  }
+  throw std::invalid_argument(
+      "target_from_source: its scale is not in [1e-50, 1e50], or its translation above 1e50");
 }
 
 /// The graph less the edges of all vertices but the given ones, ascending.
@@ -70,10 +77,10 @@ Uncertainty evaluate_uncertainty(const Similarity& target_from_source, const Poi
   Uncertainty uncertainty =
       registration::measure_uncertainty({target_from_source}, input, inliers, options,
                                         parallel::Deadline(options.time_limit, options.stop));
-  const bool determined = uncertainty.covariance &&
-                          registration::degeneracy_reason(source, target_from_source, inliers,
-                                                          input.bounds(inliers).maxCoeff(), options)
-                              .empty();
+  const bool determined =
+      uncertainty.covariance && registration::degeneracy_reason(source, target_from_source, inliers,
+                                                                input.bounds(inliers), options)
+                                    .empty();
   if (!determined) uncertainty.covariance.reset();
   return uncertainty;
 }

@@ -9,6 +9,7 @@
 #include "refine/likely_pose.hpp"
 #include "registration/answer.hpp"
 #include "search/best_poses.hpp"
+#include "search/sampled_search.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -19,6 +20,7 @@ using problem::Run;
 
 /// `Method::Gmcr`: the best pose (L5, L7), on request the proof that it is one, and other answers.
 Found find_by_search(const Problem& problem, Run& run) {
+  if (problem.is_sampled()) return search::sampled_search(problem, run);
   search::BestPoseSearch search(problem, run);
   if (problem.options().certify) proof::tighten(search);
   Found found = search.found();
@@ -41,11 +43,11 @@ void bound_all_inliers(Found& found, const Problem& problem) {
   found.evidence_upper_bound += static_cast<double>(others);
 }
 
-/// What is returned near each pose that was found: the likeliest one. The paper's poses stay as
-/// they are.
+/// What is returned near each pose that was found: the likeliest one, in time. The paper's poses
+/// stay as they are.
 std::vector<problem::CentredPose> fitted_poses(const Problem& problem, const Found& found,
                                                Run& run) {
-  if (problem.options().method == Method::Paper) return found.poses;
+  if (problem.options().method == Method::Paper || problem.is_hurried()) return found.poses;
   const problem::StageTimer timer(run, "fit");
   return refine::most_likely_poses(problem, found.poses);
 }
@@ -58,7 +60,7 @@ Found find(const Problem& problem, Run& run) {
   }
   Found found = problem.options().method == Method::Paper ? paper::solve(problem, run)
                                                           : find_by_search(problem, run);
-  bound_all_inliers(found, problem);
+  if (!problem.is_sampled()) bound_all_inliers(found, problem);
   return found;
 }
 

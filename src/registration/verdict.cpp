@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -14,56 +12,86 @@
 namespace gmcr::registration {
 namespace {
 
-using problem::CallerObjective;
 using problem::Problem;
 
 // One false alarm in a million solves: the model of chance is a model.
 constexpr double kTrustedLog10 = -6;
 // Distinct evidence: matches that are copies of few say little, however many they are.
 constexpr double kTrustedEvidence = 4.5;
+// More correspondences than that are judged by a selection.
+constexpr Index kMostJudged = 20'000;
 // A reflection that holds more than the pose by this much is what the data are of.
 constexpr double kReflected = 1.0 / 0.7;
 
-/// Evidence without copies.
-struct Distinct {
-  double inliers = 0, others = 0;
+/// The consensus set among all correspondences, or among an even selection where they are many.
+struct Selection {
+  Points source, target;  ///< of the selection; empty where all were selected
+  Eigen::ArrayXd bounds;
+  std::vector<Index> inliers, others;  ///< of the selected ones
+
+  Selection(const problem::CallerCorrespondences& all, const std::vector<Index>& all_inliers) {
+    const Index n = all.size(), count = std::min(n, kMostJudged);
+    std::vector<Index> selected;
+    for (Index k = 0; k < count; ++k) {
+      const Index i = k * n / count;
+      const bool is_inlier = std::binary_search(all_inliers.begin(), all_inliers.end(), i);
+      (is_inlier ? inliers : others).push_back(k);
+      if (count < n) selected.push_back(i);
+    }
+    if (count == n) return;
+    source = all.source(Eigen::all, selected);
+    target = all.target(Eigen::all, selected);
+    bounds = all.bounds(selected);
+  }
 };
 
-Distinct distinct_evidence(const Problem& problem, const Result& result) {
-  std::vector<Index> all(static_cast<std::size_t>(problem.input().size())), others;
-  std::iota(all.begin(), all.end(), Index{0});
-  std::set_difference(all.begin(), all.end(), result.inliers.begin(), result.inliers.end(),
-                      std::back_inserter(others));
-  const double scale = result.target_from_source.scale;
-  const Options& options = problem.options();
-  if (options.evidence == Evidence::Distinct && problem.size() == problem.input().size()) {
-    const problem::Objective& known = problem.objective();
-    return {known.evidence_of(result.inliers, scale), known.evidence_of(others, scale)};
-  }
-  const CallerObjective on_input(problem.input(), Evidence::Distinct, options.memory_limit / 4,
-                                 problem::DistinctEvidence::kAllScales, problem.buckets());
-  return {on_input.evidence_of(result.inliers, scale), on_input.evidence_of(others, scale)};
-}
+/// Number of lengths between so many points.
+int num_lengths(Index num_points) { return static_cast<int>(num_points * (num_points - 1) / 2); }
 
-/// Odds of chance for sets of correspondences of one pose.
+/// What is known of a consensus set, and the odds of chance for sets of its pose.
 class Odds {
  public:
-  Odds(const Problem& problem, const Result& result, const Distinct& distinct)
-      : count_(static_cast<double>(problem.input().size())),
-        num_lengths_(problem.scale_is_known() ? 3 : 2),
-        chance_(noise::measure_chance(problem.input(), {result.target_from_source})) {
-    const double num_others = count_ - static_cast<double>(result.inliers.size());
-    if (num_others > 0) distinct_share_ = distinct.others / num_others;
+  Odds(const Problem& problem, const Result& result)
+      : selection_(problem.input(), result.inliers),
+        sample_size_(static_cast<int>(problem.min_inliers())),
+        num_lengths_(std::max(0, num_lengths(sample_size_) - (problem.scale_is_known() ? 0 : 1))) {
+    const bool is_all = selection_.source.cols() == 0;
+    const problem::CallerCorrespondences judged =
+        is_all ? problem.input()
+               : problem::CallerCorrespondences{selection_.source, selection_.target,
+                                                selection_.bounds};
+    const Options& options = problem.options();
+    const double scale = result.target_from_source.scale;
+    const auto measure = [&](const auto& objective) {
+      distinct_inliers_ = objective.evidence_of(selection_.inliers, scale);
+      if (selection_.others.empty()) return;
+      distinct_share_ = objective.evidence_of(selection_.others, scale) /
+                        static_cast<double>(selection_.others.size());
+    };
+    if (is_all && options.evidence == Evidence::Distinct && !problem.is_sampled() &&
+        problem.size() == problem.input().size()) {
+      measure(problem.objective());
+    } else {
+      measure(problem::CallerObjective(judged, Evidence::Distinct, options.memory_limit / 4,
+                                       problem::DistinctEvidence::kAllScales, problem.buckets()));
+    }
+    chance_ = noise::measure_chance(judged, {result.target_from_source});
+    share_ = static_cast<double>(judged.size()) / static_cast<double>(problem.input().size());
   }
 
+  /// log10 for a set of so many of all correspondences.
   double log10_false_alarms(Index num_inliers) const {
-    return noise::log10_false_alarms(static_cast<double>(num_inliers) * distinct_share_,
-                                     count_ * distinct_share_, num_lengths_, chance_);
+    const auto count = static_cast<double>(selection_.inliers.size() + selection_.others.size());
+    return noise::log10_false_alarms(share_ * static_cast<double>(num_inliers) * distinct_share_,
+                                     count * distinct_share_, sample_size_, num_lengths_, chance_);
   }
+
+  double distinct_inliers() const { return distinct_inliers_; }
 
  private:
-  double count_ = 0, distinct_share_ = 1;
-  int num_lengths_ = 3;
+  Selection selection_;
+  int sample_size_, num_lengths_;
+  double share_ = 1, distinct_inliers_ = 0, distinct_share_ = 1;
   noise::Chance chance_;
 };
 
@@ -109,8 +137,7 @@ std::string units_hint(const PointsRef& source, const PointsRef& target, const O
 
 void judge(Result& result, const Problem& problem, problem::Run& run) {
   const problem::StageTimer timer(run, "verdict");
-  const Distinct distinct = distinct_evidence(problem, result);
-  const Odds odds(problem, result, distinct);
+  const Odds odds(problem, result);
   const auto num_inliers = static_cast<Index>(result.inliers.size());
   result.log10_false_alarms = odds.log10_false_alarms(num_inliers);
   const Index reflected = reflected_inliers(problem.input(), {result.target_from_source},
@@ -125,16 +152,17 @@ void judge(Result& result, const Problem& problem, problem::Run& run) {
   } else if (result.status == Status::Degenerate) {
     result.verdict_reason = "the pose is one of many: " + result.status_reason;
   } else if (result.log10_false_alarms >= 0) {
-    result.verdict_reason = num_inliers <= problem::kMinInliers
-                                ? "three matches alone prove nothing"
+    result.verdict_reason = num_inliers <= problem.min_inliers()
+                                ? std::to_string(num_inliers) + " matches alone prove nothing"
                                 : "chance explains this: random matches would agree as well";
   } else if (result.log10_false_alarms > kTrustedLog10) {
     result.verdict = Verdict::Doubtful;
     result.verdict_reason = in_words(result.log10_false_alarms);
-  } else if (distinct.inliers < kTrustedEvidence) {
+  } else if (odds.distinct_inliers() < kTrustedEvidence) {
     result.verdict = Verdict::Doubtful;
     result.verdict_reason = std::to_string(num_inliers) + " matches agree, worth " +
-                            with_one_digit(distinct.inliers) + " distinct ones: too few to be sure";
+                            with_one_digit(odds.distinct_inliers()) +
+                            " distinct ones: too few to be sure";
   } else {
     result.verdict = Verdict::Trusted;
     result.verdict_reason = in_words(result.log10_false_alarms);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/sampled_start.hpp"
 #include "search/scale_modes.hpp"
 
 namespace gmcr::search {
@@ -12,17 +13,32 @@ constexpr Index kMaxStarts = 64;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
 constexpr std::uint64_t kMaxWeightedNodes = 300;
 
+/// Whether the search may end before it has a pose.
+bool time_is_short(const problem::Problem& problem) {
+  constexpr double kShare = 0.5;  // of the time, for graphs
+  return problem::foreseen_seconds(problem.size(), problem.scale_is_known()) >
+         kShare * problem.options().time_limit;
+}
+
 }  // namespace
 
 BestPoseSearch::BestPoseSearch(const problem::Problem& problem, problem::Run& run,
                                std::vector<problem::Hypothesis> left_out)
     : poses_(problem, run, std::move(left_out)) {
+  const bool is_first = poses_.left_out().empty(), starts = is_first && time_is_short(problem);
+  if (starts) start_from_samples();
   if (problem.scale_is_known()) {
     search_known_scale();
   } else {
     search_scales();
   }
+  // a limit that could not be foreseen, such as the caller's stop
+  if (is_first && !starts && !poses_.best() && run.stopped()) start_from_samples();
   if (!problem.objective().is_weighted()) bounds_.evidence = bounds_.inliers;
+}
+
+void BestPoseSearch::start_from_samples() {
+  if (const auto start = sampled_start(poses_.problem())) poses_.start_from(*start);
 }
 
 void BestPoseSearch::search_known_scale() {
@@ -59,7 +75,7 @@ void add_alternatives(const problem::Problem& problem, problem::Run& run,
   std::vector<problem::Hypothesis> known{best};
   // a search that finds no consensus leaves nothing out for the next
   const auto may_go_on = [&] {
-    return known.back().num_inliers() >= problem::kMinInliers &&
+    return known.back().num_inliers() >= problem.min_inliers() &&
            static_cast<int>(known.size()) < run.options().num_hypotheses && !run.stopped();
   };
   while (may_go_on()) {

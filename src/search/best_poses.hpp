@@ -13,7 +13,8 @@ namespace gmcr::search {
 /// Known scale: candidate cliques of the one consistency graph, by number, around the best pose and
 /// away from it, by evidence (L7). Unknown scale: bins of scales, each bounded by how many others
 /// each correspondence agrees with in it (L5); candidate cliques in the bins of most evidence, then
-/// branch and bound over the scale.
+/// branch and bound over the scale. Where the time may end before all that, a pose from samples
+/// comes first.
 class BestPoseSearch {
  public:
   /// Searches. Keeps the references.
@@ -37,6 +38,7 @@ class BestPoseSearch {
   problem::Found found();
 
  private:
+  void start_from_samples();
   void search_known_scale();
   void search_scales();
 

@@ -84,6 +84,7 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
 
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {
   const Index n = range.graph.num_vertices();
+  if (n > kQuickGraph && search.best() && search.run().stopped()) return;
   std::vector<Index> degree;
   std::vector<Index> order;
   {
@@ -103,7 +104,9 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   leave_out_explained();
   Index num_starts = 0, num_bounded = 0;
   for (const Index v : order) {
-    if (num_starts == max_starts || (search.best() && search.run().stopped())) return;
+    // one is tried in any case: a pose from samples is a poor one
+    if (num_starts == max_starts) return;
+    if (num_starts > 0 && search.best() && search.run().stopped()) return;
     const double to_beat = search.to_beat(Measure::Evidence);
     if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
     if (covered[static_cast<std::size_t>(v)] || !clique::test_bit(unexplained.data(), v)) continue;

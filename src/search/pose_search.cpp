@@ -15,8 +15,8 @@ void PoseSearch::try_clique(const std::vector<Index>& clique) {
   const StageTimer timer(run_, "pose");
   if (!examined_.insert(clique).second) return;
   const problem::Correspondences& c = problem_.correspondences();
-  const auto fit =
-      estimation::fit_pose(c.source, c.target, c.bounds, clique, problem_.constraints());
+  const auto fit = estimation::fit_pose(c.source, c.target, c.bounds,
+                                        problem_.clear_of_rounding(clique), problem_.constraints());
   if (!fit) return;
   ++run_.diagnostics().num_candidates;
   // L7: the clique was a candidate; the objective on all correspondences decides
@@ -38,6 +38,13 @@ void PoseSearch::try_pose(const problem::CentredPose& pose) {
   keep(std::move(judged));
 }
 
+void PoseSearch::start_from(const problem::CentredPose& pose) {
+  const StageTimer timer(run_, "start");
+  ++run_.diagnostics().num_candidates;
+  const auto fitted = refine::optimise_locally(problem_, pose);
+  if (fitted && fitted->num_inliers() >= problem_.min_inliers()) note(*fitted);
+}
+
 refine::Incumbent PoseSearch::incumbent() const {
   constexpr int kPatience = 5;
   return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
@@ -52,6 +59,10 @@ void PoseSearch::keep(problem::Hypothesis pose) {
   for (const problem::Hypothesis& known : left_out_) {
     if (problem::shares_most(known.inliers, reached.inliers)) return;
   }
+  note(reached);
+}
+
+void PoseSearch::note(const problem::Hypothesis& reached) {
   const std::vector<Index> members = problem_.filter().one_to_one(reached.inliers);
   most_.inliers = std::max(most_.inliers, static_cast<double>(members.size()));
   most_.evidence =

@@ -38,6 +38,10 @@ class PoseSearch {
   /// Keeps a pose, or the nearest one that the priors admit, where it is the best one.
   void try_pose(const problem::CentredPose& pose);
 
+  /// Keeps what fits on all correspondences make of a pose, so that there is one to answer with. It
+  /// does not reach for more, which takes longer.
+  void start_from(const problem::CentredPose& pose);
+
   const std::optional<problem::Hypothesis>& best() const { return best_; }
 
   /// Correspondences within `factor` bounds of the best pose, ascending; none where there is none.
@@ -58,6 +62,7 @@ class PoseSearch {
  private:
   refine::Incumbent incumbent() const;
   void keep(problem::Hypothesis pose);
+  void note(const problem::Hypothesis& reached);
 
   const problem::Problem& problem_;
   problem::Run& run_;

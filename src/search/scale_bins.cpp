@@ -26,7 +26,7 @@ ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const problem::Scale
   const double bucket = std::floor(std::log2(range.min) - std::log2(buckets.edge(0, 1)));
   for (int k = num_in_bucket * static_cast<int>(bucket);; ++k) {
     const double next = buckets.edge(k, num_in_bucket);
-    if (next >= range.max) break;
+    if (!(next < range.max)) break;
     // no two edges between bins in one cell
     const bool is_alone = edges_.size() == 1 || cell_of(next) != cell_of(edges_.back());
     if (is_alone && next > edges_.back()) edges_.push_back(next);

@@ -78,12 +78,23 @@ TEST(EstimateTranslation, IsTheMeanWeightedByTheInverseSquareOfTheBounds) {
 TEST(MeasureSpread, GivesTheReachFromCentroidAndLine) {
   Points points(3, 4);
   points << -2, 2, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0;
-  const Spread spread = measure_spread(points, {0, 1, 2, 3});
-  EXPECT_NEAR(spread.from_centroid, 2, 1e-12);
-  EXPECT_NEAR(spread.from_line, 1, 1e-12);
-  EXPECT_NEAR(measure_spread(points, {0, 1}).from_line, 0, 1e-12);
-  EXPECT_EQ(measure_spread(points, {2}).from_centroid, 0);
-  EXPECT_EQ(measure_spread(points, {}).from_centroid, 0);
+  const auto alike = [](Index count) { return Eigen::ArrayXd::Constant(count, 0.1); };
+  const Spread spread = measure_spread(points, {0, 1, 2, 3}, alike(4));
+  EXPECT_NEAR(spread.from_centroid.maxCoeff(), 2, 1e-12);
+  EXPECT_NEAR(spread.from_line.maxCoeff(), 1, 1e-12);
+  EXPECT_NEAR(spread.radius, std::sqrt(2.5), 1e-12);
+  EXPECT_NEAR(measure_spread(points, {0, 1}, alike(2)).from_line.maxCoeff(), 0, 1e-12);
+  EXPECT_EQ(measure_spread(points, {2}, alike(1)).from_centroid.maxCoeff(), 0);
+  EXPECT_EQ(measure_spread(points, {}, alike(0)).from_centroid.size(), 0);
+}
+
+TEST(MeasureSpread, IsNotMovedByALoosePoint) {
+  Points points(3, 4);
+  points << -1, 1, 0, 50, 0, 0, 0, 70, 0, 0, 0, 0;
+  const Spread spread = measure_spread(points, {0, 1, 2, 3}, Eigen::Array4d(1e-3, 1e-3, 1e-3, 100));
+  EXPECT_LT(spread.from_line.head(3).maxCoeff(), 1e-6);
+  EXPECT_NEAR(spread.from_centroid[0], 1, 1e-6);
+  EXPECT_NEAR(spread.from_line[3], 70, 1e-3);
 }
 
 }  // namespace

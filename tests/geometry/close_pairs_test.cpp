@@ -51,6 +51,23 @@ TEST(ClosePairs, AreThoseOfTheDefinitionOnceEach) {
   }
 }
 
+TEST(ClosePairs, AreFoundInSmallCellsWhereverAFewPointsAre) {
+  testing::RandomGeometry random(3);
+  Points points = random.in_cube(600);
+  points.col(7).setConstant(3.4e38);
+  points.col(8).setConstant(3.4e38);
+  points.col(9) = Eigen::Vector3d(-1e49, 0, 0);
+  const Eigen::ArrayXd radii = Eigen::ArrayXd::Constant(600, 0.01);
+  EXPECT_EQ(close_pairs(points, radii), pairs_by_definition(points, radii));
+  // were all the near ones in one cell, this would look at 2e9 pairs
+  points = random.in_cube(60'000);
+  points.col(7).setConstant(3.4e38);
+  Index num_pairs = 0;
+  for_each_close_pair(points, Eigen::ArrayXd::Constant(60'000, 1e-4),
+                      [&](Index, Index, double) { return ++num_pairs > 0; });
+  EXPECT_LT(num_pairs, 500);
+}
+
 TEST(ClosePairs, AreFoundWhereTheRadiusIsMuchSmallerThanTheExtent) {
   testing::RandomGeometry random(2);
   Points points = 1e6 * random.in_cube(400);

@@ -74,24 +74,24 @@ TEST(Log10FalseAlarms, FollowsTheFormula) {
   }
   // C(20, 3) = 1140, C(9, 3) = 84
   for (const int num_lengths : {2, 3}) {
-    EXPECT_NEAR(log10_false_alarms(9, 20, num_lengths, {alpha, 0.1}),
+    EXPECT_NEAR(log10_false_alarms(9, 20, 3, num_lengths, {alpha, 0.1}),
                 std::log10(1140.0 / 84 * tail) - num_lengths, 0.02);
   }
 }
 
 TEST(Log10FalseAlarms, CountAsManyAsTheMeanAsChance) {
-  EXPECT_NEAR(log10_false_alarms(13, 103, 3, {0.1, 1}), std::log10(176851.0 / 286), 1e-9);
+  EXPECT_NEAR(log10_false_alarms(13, 103, 3, 3, {0.1, 1}), std::log10(176851.0 / 286), 1e-9);
 }
 
 TEST(Log10FalseAlarms, OfAllAreFinite) {
-  EXPECT_NEAR(log10_false_alarms(20, 20, 3, {0.1, 1}), -17, 1e-9);
-  EXPECT_EQ(log10_false_alarms(20, 20, 3, {1, 1}), 0);
+  EXPECT_NEAR(log10_false_alarms(20, 20, 3, 3, {0.1, 1}), -17, 1e-9);
+  EXPECT_EQ(log10_false_alarms(20, 20, 3, 3, {1, 1}), 0);
 }
 
 TEST(Log10FalseAlarms, OfAMinimalSampleProvesNothing) {
   for (const double k : {0.0, 1.0, 2.5, 3.0}) {
     for (const double n : {3.0, 100.0}) {
-      EXPECT_GE(log10_false_alarms(k, n, 3, {1e-9, 1e-9}), 0);
+      EXPECT_GE(log10_false_alarms(k, n, 3, 3, {1e-9, 1e-9}), 0);
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(Log10FalseAlarms, OfAMinimalSampleProvesNothing) {
 TEST(Log10FalseAlarms, FallAsMoreAgree) {
   double last = 1;
   for (int k = 4; k <= 50; ++k) {
-    const double now = log10_false_alarms(k, 50, 3, {1e-3, 0.1});
+    const double now = log10_false_alarms(k, 50, 3, 3, {1e-3, 0.1});
     EXPECT_LT(now, last);
     last = now;
   }

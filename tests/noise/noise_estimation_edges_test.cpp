@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "problems.hpp"
@@ -93,6 +94,36 @@ TEST(NoiseEstimation, OfCoincidentPointsFindsNothing) {
     EXPECT_EQ(at_origin.status, Status::NoConsensus);
     EXPECT_GT(at_origin.noise_estimate->noise_bound, 0);
   }
+}
+
+TEST(NoiseEstimation, DoesNotDependOnTheOrder) {
+  const auto problem = testing::random_problem(9, 60, 240);
+  const Index n = problem.source.cols();
+  std::vector<Index> order;
+  for (Index k = 0; k < n; ++k) order.push_back(k * 7 % n);  // 7 and 300 have no common divisor
+  Options options;
+  options.noise_mode = NoiseMode::Estimated;
+  const Result one = register_correspondences(problem.source, problem.target, options);
+  const Result other = register_correspondences(problem.source(Eigen::all, order),
+                                                problem.target(Eigen::all, order), options);
+  ASSERT_TRUE(one.noise_estimate && other.noise_estimate);
+  EXPECT_EQ(one.noise_estimate->noise_bound, other.noise_estimate->noise_bound);
+  EXPECT_EQ(one.noise_estimate->log10_false_alarms, other.noise_estimate->log10_false_alarms);
+  std::vector<Index> inliers;
+  for (const Index i : other.inliers) inliers.push_back(order[static_cast<std::size_t>(i)]);
+  std::sort(inliers.begin(), inliers.end());
+  EXPECT_EQ(inliers, one.inliers);
+}
+
+TEST(NoiseEstimation, DoesNotSeeAFewFarMatches) {
+  auto problem = testing::random_problem(10, 60, 40);
+  problem.source.rightCols(5).setConstant(3.4e38);
+  Options options;
+  options.noise_mode = NoiseMode::Estimated;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  ASSERT_TRUE(result.noise_estimate);
+  EXPECT_LT(result.noise_estimate->noise_bound, 0.02);
+  EXPECT_GE(result.inliers.size(), 55u);
 }
 
 }  // namespace

@@ -85,6 +85,48 @@ TEST(Options, NamesTheFieldThatIsOutOfRange) {
   }
 }
 
+TEST(Options, RefuseMagnitudesOutOfRange) {
+  const std::vector<BadOption> cases = {
+      {"noise_bound", [](Options& o) { o.noise_bound = 1e158; }},
+      {"noise_bound", [](Options& o) { o.noise_bound = 9e-51; }},
+      {"noise_bounds[1]",
+       [](Options& o) {
+         o.noise_bound = 0;
+         o.noise_bounds = {1e50, 1.1e50};
+       }},
+      {"scale", [](Options& o) { o.scale = 1e51; }},
+      {"scale_range.min",
+       [](Options& o) {
+         o.scale_mode = ScaleMode::Estimated;
+         o.scale_range = ScaleRange{1e-60, 1};
+       }},
+      {"max_translation", [](Options& o) { o.max_translation = 1e60; }},
+      {"initial_pose.target_from_source.translation",
+       [](Options& o) {
+         o.initial_pose.emplace();
+         o.initial_pose->target_from_source.translation[1] = -1e60;
+       }},
+      {"initial_pose.max_translation",
+       [](Options& o) {
+         o.initial_pose.emplace();
+         o.initial_pose->max_translation = 1e60;
+       }},
+  };
+  for (const auto& [field, spoil] : cases) {
+    Options options;
+    options.noise_bound = kLargestMagnitude;
+    options.scale = kLeastMagnitude;
+    EXPECT_NO_THROW(options.validate());
+    spoil(options);
+    try {
+      options.validate();
+      FAIL() << field;
+    } catch (const InvalidOption& error) {
+      EXPECT_EQ(error.option(), field) << error.what();
+    }
+  }
+}
+
 TEST(Priors, NameTheFieldThatIsOutOfRange) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   struct Case {

@@ -122,5 +122,24 @@ TEST(Evidence, IsWhatTheJointSearchProvesToo) {
   }
 }
 
+TEST(Evidence, OfTightMatchesIsNotAbsorbedByALooseOne) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    // 20 tight right matches against 12 of another pose, and loose ones near the right ones
+    auto problem = testing::random_problem(seed, 20, 30);
+    testing::RandomGeometry random(seed + 500);
+    const Similarity rival = random.similarity(1, 1, 1);
+    for (Index i = 20; i < 32; ++i) problem.target.col(i) = rival * problem.source.col(i);
+    Options options = problem.options();
+    options.noise_bound = 0;
+    options.noise_bounds.assign(50, problem.noise_bound);
+    for (Index i = 32; i < 38; ++i) {
+      problem.target.col(i) = problem.truth * problem.source.col(i) + random.in_ball(0.5);
+      options.noise_bounds[static_cast<std::size_t>(i)] = 0.5;
+    }
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace gmcr::registration

@@ -130,5 +130,28 @@ RC_GTEST_PROP(Laws, RescalingTheTargetRescalesTheEstimatedScale, ()) {
             1e-6);
 }
 
+RC_GTEST_PROP(Laws, TheOrderOfTheMatchesDoesNotMatter, ()) {
+  const auto problem = clear_problem();
+  const Index n = problem.source.cols();
+  std::vector<Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Index{0});
+  testing::RandomGeometry random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000)));
+  for (Index k = n - 1; k > 0; --k) {
+    std::swap(order[static_cast<std::size_t>(k)],
+              order[static_cast<std::size_t>(random.index(k + 1))]);
+  }
+  for (const Options& options : {problem.options(), problem.options_with_unknown_scale()}) {
+    const Result one = register_correspondences(problem.source, problem.target, options);
+    const Result other = register_correspondences(problem.source(Eigen::all, order),
+                                                  problem.target(Eigen::all, order), options);
+    std::vector<Index> inliers;
+    for (const Index i : other.inliers) inliers.push_back(order[static_cast<std::size_t>(i)]);
+    std::sort(inliers.begin(), inliers.end());
+    RC_ASSERT(inliers == one.inliers);
+    RC_ASSERT(mean_point_error(one.target_from_source, other.target_from_source, problem.source) <
+              1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace gmcr::registration

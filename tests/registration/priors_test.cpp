@@ -271,5 +271,56 @@ TEST(Priors, AreCheckedBeforeAnyWork) {
                std::invalid_argument);
 }
 
+/// Exact correspondences of a truth that turns about the vertical.
+Problem level_problem(Index count) {
+  Problem problem = testing::random_problem(31, count, 0);
+  problem.truth.rotation = about(Vector3d::UnitZ(), 1.2);
+  problem.target = problem.truth.apply(problem.source);
+  return problem;
+}
+
+TEST(Priors, OnGravityLeaveAPoseThatTwoCorrespondencesDetermine) {
+  const Problem problem = level_problem(2);
+  Priors priors;
+  priors.gravity = upright(0);
+  for (const Method method : {Method::Gmcr, Method::Paper}) {
+    for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
+      options.method = method;
+      const Result result = solve(problem, options, priors);
+      EXPECT_EQ(result.status, Status::Ok) << result.status_reason;
+      EXPECT_EQ(result.inliers.size(), 2u);
+      EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.01);
+      EXPECT_EQ(solve(problem, options, {}).status, Status::TooFewCorrespondences);
+    }
+  }
+  priors.gravity = upright(0.1);
+  const Result tilted = solve(problem, problem.options(), priors);
+  EXPECT_EQ(tilted.status, Status::TooFewCorrespondences) << "a tilt is one more unknown";
+  EXPECT_NE(tilted.status_reason.find("3 are needed"), std::string::npos);
+}
+
+TEST(Priors, OnGravityDoNotTellTheTurnOfALineAlongIt) {
+  Problem problem = level_problem(2);
+  problem.source.col(1) = problem.source.col(0) + Vector3d(0, 0, 0.5);
+  problem.target = problem.truth.apply(problem.source);
+  Priors priors;
+  priors.gravity = upright(0);
+  EXPECT_EQ(solve(problem, problem.options(), priors).status, Status::Degenerate);
+}
+
+TEST(Priors, OnTheRotationLeaveAShiftThatOneCorrespondenceDetermines) {
+  const Problem problem = level_problem(1);
+  Priors priors;
+  priors.initial_pose = InitialPose{{1, problem.truth.rotation, Vector3d::Zero()}, 0};
+  const Result result = solve(problem, problem.options(), priors);
+  EXPECT_EQ(result.status, Status::Ok) << result.status_reason;
+  EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 1e-9);
+  const Result scaled = solve(problem, problem.options_with_unknown_scale(), priors);
+  EXPECT_EQ(scaled.status, Status::TooFewCorrespondences);
+  EXPECT_NE(scaled.status_reason.find("2 are needed"), std::string::npos);
+  const Problem pair = level_problem(2);
+  EXPECT_EQ(solve(pair, pair.options_with_unknown_scale(), priors).status, Status::Ok);
+}
+
 }  // namespace
 }  // namespace gmcr::registration

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stop_token>
+#include <thread>
+
+#include "gmcr/metrics.hpp"
+#include "problems.hpp"
+
+namespace gmcr::registration {
+namespace {
+
+/// Wall time of a solve, seconds; the least of some where it exceeds what is allowed, as what
+/// others do on the machine is not ours.
+double time_solve(const testing::Problem& problem, const Options& options, double allowed) {
+  constexpr int kMaxRuns = 12;
+  double least = 1e9;
+  for (int run = 0; run < kMaxRuns && least > allowed; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    register_correspondences(problem.source, problem.target, options);
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    least = std::min(least, wall.count());
+  }
+  return least;
+}
+
+TEST(TimeLimits, AreKept) {
+  for (const Index count : {1000, 20'000, 100'000}) {
+    for (const double share : {1.0, 0.5, 0.05}) {
+      const auto right = static_cast<Index>(share * static_cast<double>(count));
+      const auto problem = testing::random_problem(1, right, count - right);
+      for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
+        for (const double limit : {1e-3, 1e-2, 1e-1}) {
+          options.time_limit = limit;
+          const double allowed = 2 * limit + 0.02;
+          EXPECT_LE(time_solve(problem, options, allowed), allowed)
+              << count << " matches, " << share << " right, limit " << limit;
+        }
+      }
+    }
+  }
+}
+
+TEST(TimeLimits, EndWithAPose) {
+  for (const Index count : {1000, 20'000, 100'000}) {
+    for (const double share : {1.0, 0.5}) {
+      const auto right = static_cast<Index>(share * static_cast<double>(count));
+      const auto problem = testing::random_problem(2, right, count - right);
+      for (Options options : {problem.options(), problem.options_with_unknown_scale()}) {
+        for (const double limit : {1e-3, 1e-1}) {
+          options.time_limit = limit;
+          const Result result = register_correspondences(problem.source, problem.target, options);
+          EXPECT_EQ(result.status, Status::Ok) << count << " matches, limit " << limit;
+          EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source),
+                    problem.noise_bound);
+          EXPECT_GE(static_cast<double>(result.inliers.size()), 0.9 * static_cast<double>(right));
+        }
+      }
+    }
+  }
+}
+
+TEST(TimeLimits, ThatTheCallerSetsByAStopEndWithAPose) {
+  const auto problem = testing::random_problem(3, 50'000, 50'000);
+  std::stop_source source;
+  Options options = problem.options();
+  options.stop = source.get_token();
+  std::jthread caller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    source.request_stop();
+  });
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_EQ(result.status, Status::Ok) << result.status_reason;
+  EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.01);
+}
+
+TEST(TimeLimits, OfMatchesWithoutAPoseEndTheSameWay) {
+  auto problem = testing::random_problem(4, 0, 20'000);
+  Options options = problem.options();
+  options.time_limit = 1e-2;
+  const Result result = register_correspondences(problem.source, problem.target, options);
+  EXPECT_FALSE(result.diagnostics.limits_hit.empty());
+  EXPECT_EQ(result.certificate.upper, 20'000);
+}
+
+}  // namespace
+}  // namespace gmcr::registration
