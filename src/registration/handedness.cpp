@@ -19,6 +19,8 @@ constexpr int kPlaneFits = 3;
 
 // Reach of the fits, in noise bounds: what is near the plane first, then what is farther off it.
 constexpr double kReaches[] = {16, 8, 4, 2, 1, 1};
+// The flat set tells the scale; another one would hold other matches by chance.
+constexpr double kSameScale = 1.1;
 
 struct Plane {
   Eigen::Vector3d point, normal;
@@ -74,10 +76,12 @@ Index reflected_inliers(const CallerCorrespondences& all, const problem::CallerP
   const Points mirrored =
       all.source -
       2 * plane.normal * (plane.normal.transpose() * (all.source.colwise() - plane.point));
+  const ScaleRange same_scale{std::max(scales.min, pose.scale() / kSameScale),
+                              std::min(scales.max, pose.scale() * kSameScale)};
   Similarity reflected = pose.similarity;
   for (const double reach : kReaches) {
-    const auto fit = estimation::fit_similarity(mirrored, all.target, all.bounds,
-                                                within(all, mirrored, reflected, reach), scales);
+    const auto fit = estimation::fit_similarity(
+        mirrored, all.target, all.bounds, within(all, mirrored, reflected, reach), same_scale);
     if (!fit) return 0;
     reflected = *fit;
   }

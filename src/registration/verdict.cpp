@@ -20,6 +20,7 @@ constexpr double kTrustedLog10 = -6;
 constexpr double kTrustedEvidence = 4.5;
 // More correspondences than that are judged by a selection.
 constexpr Index kMostJudged = 20'000;
+constexpr Index kMostJudgedInHurry = 2000;
 // A reflection that holds more than the pose by this much is what the data are of.
 constexpr double kReflected = 1.0 / 0.7;
 
@@ -29,8 +30,9 @@ struct Selection {
   Eigen::ArrayXd bounds;
   std::vector<Index> inliers, others;  ///< of the selected ones
 
-  Selection(const problem::CallerCorrespondences& all, const std::vector<Index>& all_inliers) {
-    const Index n = all.size(), count = std::min(n, kMostJudged);
+  Selection(const problem::CallerCorrespondences& all, const std::vector<Index>& all_inliers,
+            Index most) {
+    const Index n = all.size(), count = std::min(n, most);
     std::vector<Index> selected;
     for (Index k = 0; k < count; ++k) {
       const Index i = k * n / count;
@@ -52,7 +54,8 @@ int num_lengths(Index num_points) { return static_cast<int>(num_points * (num_po
 class Odds {
  public:
   Odds(const Problem& problem, const Result& result)
-      : selection_(problem.input(), result.inliers),
+      : selection_(problem.input(), result.inliers,
+                   problem.is_hurried() ? kMostJudgedInHurry : kMostJudged),
         sample_size_(static_cast<int>(problem.min_inliers())),
         num_lengths_(std::max(0, num_lengths(sample_size_) - (problem.scale_is_known() ? 0 : 1))) {
     const bool is_all = selection_.source.cols() == 0;
