@@ -248,6 +248,14 @@ Problem hard_problem() {
   return synthetic_problem(synthetic);
 }
 
+/// Whether the result says that it counted where evidence was asked for.
+bool counts_inliers(const Result& result) {
+  const auto& limits = result.diagnostics.limits_hit;
+  return std::any_of(limits.begin(), limits.end(), [](const LimitHit& hit) {
+    return hit.sentence.find("inliers were counted") != std::string::npos;
+  });
+}
+
 TEST(Certificate, OfTheShortestTimeIsValidAndSaysSo) {
   const Problem problem = hard_problem();
   for (const bool certify : {false, true}) {
@@ -258,6 +266,7 @@ TEST(Certificate, OfTheShortestTimeIsValidAndSaysSo) {
       const Result result = register_correspondences(problem.source, problem.target, options);
       EXPECT_FALSE(result.diagnostics.limits_hit.empty());
       EXPECT_FALSE(result.certificate.certified);
+      if (counts_inliers(result)) options.evidence = Evidence::Count;
       expect_valid(problem, result, options, 1);
     }
   }
