@@ -91,7 +91,7 @@ std::optional<Pruned> prune_by_consistency(const Problem& problem, Run& run) {
   const int num_threads = run.options().num_threads;
   BitsetGraph graph =
       problem::consistency_graph(problem.arrays(), problem.scales(), num_threads, run.deadline());
-  problem.filter().apply(graph, problem.scales(), num_threads);
+  problem.filter().apply(graph, problem.scales(), num_threads, run.deadline());
   const auto clique = run.max_clique(graph, 0, kUnlimited);
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;

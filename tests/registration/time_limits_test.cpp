@@ -26,7 +26,7 @@ double time_solve(const testing::Problem& problem, const Options& options, doubl
 }
 
 TEST(TimeLimits, AreKept) {
-  for (const Index count : {1000, 20'000, 100'000}) {
+  for (const Index count : {1000, 4096, 20'000, 100'000}) {
     for (const double share : {1.0, 0.5, 0.05}) {
       const auto right = static_cast<Index>(share * static_cast<double>(count));
       const auto problem = testing::random_problem(1, right, count - right);
