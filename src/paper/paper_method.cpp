@@ -42,6 +42,14 @@ void require_memory_for_tims(const Run& run, Index num_correspondences) {
                                           " correspondences takes " + std::to_string(bytes));
 }
 
+/// Whether the time is far from sufficing for the scales of all pairs, whose stage looks at no
+/// clock.
+bool exceeds_time(const Run& run, Index num_correspondences) {
+  constexpr double kSecondsPerTim = 9e-8, kFarBeyond = 2;
+  const auto n = static_cast<double>(num_correspondences);
+  return kSecondsPerTim * n * n / 2 > kFarBeyond * run.options().time_limit;
+}
+
 std::vector<Index> all_of(const Problem& problem) {
   std::vector<Index> all(static_cast<std::size_t>(problem.size()));
   std::iota(all.begin(), all.end(), Index{0});
@@ -73,6 +81,10 @@ std::vector<Pair> admitted_pairs(const Problem& problem) {
 std::optional<Pruned> prune_by_scale(const Problem& problem, Run& run) {
   const StageTimer timer(run, "scale");
   require_memory_for_tims(run, problem.size());
+  if (exceeds_time(run, problem.size())) {
+    run.limit({Limit::Time, "the time budget does not suffice for the scales of all pairs"});
+    return std::nullopt;
+  }
   const Index num_clear = static_cast<Index>(problem.clear_of_rounding(all_of(problem)).size());
   const Tims tims = make_tims(problem.correspondences(), admitted_pairs(problem));
   if (run.stopped()) return std::nullopt;
@@ -91,7 +103,7 @@ std::optional<Pruned> prune_by_consistency(const Problem& problem, Run& run) {
   const int num_threads = run.options().num_threads;
   BitsetGraph graph =
       problem::consistency_graph(problem.arrays(), problem.scales(), num_threads, run.deadline());
-  problem.filter().apply(graph, problem.scales(), num_threads);
+  problem.filter().apply(graph, problem.scales(), num_threads, run.deadline());
   const auto clique = run.max_clique(graph, 0, kUnlimited);
   const auto size = static_cast<Index>(clique.vertices.size());
   if (size < 2) return std::nullopt;

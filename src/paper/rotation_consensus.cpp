@@ -64,7 +64,7 @@ BitsetGraph rotation_graph(const RotationCones& cones, int num_threads,
         // Eq. (15), L3: |angle(abar_k, abar_l) - angle(bbar_k, bbar_l)| <= gamma_k + gamma_l
         kernels::rotation_row(cones.directions, k, row, k / BitsetGraph::kBitsPerWord);
       });
-  problem::mirror_upper_blocks(graph, num_threads);
+  problem::mirror_upper_blocks(graph, num_threads, deadline);
   return graph;
 }
 

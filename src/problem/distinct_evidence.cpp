@@ -30,7 +30,7 @@ DistinctEvidence::DistinctEvidence(const PointsRef& source, const PointsRef& tar
   const auto n = static_cast<std::size_t>(source.cols());
   const auto at = [](Index i) { return static_cast<std::size_t>(i); };
   const std::size_t max_entries = max_bytes / sizeof(double);
-  constexpr std::size_t kBetweenLooks = 8192;  // at the clock
+  constexpr std::size_t kBetweenLooks = std::size_t{1} << 18;  // at the clock
   std::size_t num_near = 0;
   always_.assign(n, 0);
   first_.assign(n + 1, 0);

@@ -166,11 +166,13 @@ bool PairFilter::admits_pair(Index i, Index j, const ScaleRange& scales) const {
          admits_rotation(i, j, scales);
 }
 
-void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const {
+void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads,
+                       const parallel::Deadline& deadline) const {
   if (angles_.empty() && !one_to_one_) return;
   constexpr Index kBlock = BitsetGraph::kBitsPerWord;
   const int threads = parallel::threads_for_pairs(graph.num_vertices(), num_threads);
   parallel::parallel_for(graph.num_vertices(), kBlock, threads, [&](Index begin, Index end) {
+    if (deadline.expired()) return;
     for (Index i = begin; i < end; ++i) {
       const auto row = graph.mutable_row(i);
       for (auto word = static_cast<std::size_t>(begin / kBlock); word < row.size(); ++word) {
@@ -183,7 +185,7 @@ void PairFilter::apply(BitsetGraph& graph, const ScaleRange& scales, int num_thr
       }
     }
   });
-  mirror_upper_blocks(graph, threads);
+  mirror_upper_blocks(graph, threads, deadline);
 }
 
 std::vector<Index> PairFilter::one_to_one(const std::vector<Index>& indices) const {

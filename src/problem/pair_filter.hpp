@@ -8,6 +8,7 @@
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/priors.hpp"
+#include "parallel/deadline.hpp"
 #include "problem/correspondences.hpp"
 
 namespace gmcr::problem {
@@ -46,8 +47,9 @@ class PairFilter {
   bool admits_pair(Index i, Index j, const ScaleRange& scales) const;
 
   /// Removes the edges that are not admitted from a consistency graph of the range of scales.
-  /// Deterministic. Cost O(N^2 / 64 + edges).
-  void apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads) const;
+  /// Where the deadline passes before the end, all are. Deterministic. Cost O(N^2 / 64 + edges).
+  void apply(BitsetGraph& graph, const ScaleRange& scales, int num_threads,
+             const parallel::Deadline& deadline = parallel::Deadline::never()) const;
 
   /// A maximal subset of `indices` of which no two share an end point, the earliest first; all of
   /// them where sharing is not forbidden.

@@ -13,8 +13,10 @@ namespace {
 
 /// A search of fewer than so many tells nothing of more.
 constexpr Index kLeastSample = 1024;
-/// A time limit that graphs exceed by more is for a sample.
+/// A time limit that graphs exceed by more is for a sample, but of so few that they are built in
+/// milliseconds.
 constexpr double kFarBeyond = 2;
+constexpr Index kQuick = 4096;
 
 bool has_one_scale(const Options& options) {
   return options.scale_mode == ScaleMode::Known ||
@@ -53,9 +55,9 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
   const bool is_whole = options.method == Method::Paper;
   run.require_memory_for_graph(is_whole ? size_ : std::min(size_, kLeastSample));
   const bool exceeds_memory = size_ > run.num_in_memory();
-  const bool exceeds_time =
-      foreseen_seconds(size_, scales.min == scales.max) > kFarBeyond * options.time_limit;
-  is_sampled_ = !is_whole && size_ > kLeastSample && (exceeds_memory || exceeds_time);
+  const bool exceeds_time = size_ > kQuick && foreseen_seconds(size_, scales.min == scales.max) >
+                                                  kFarBeyond * options.time_limit;
+  is_sampled_ = !is_whole && (exceeds_memory || exceeds_time);
   if (is_sampled_) run.limit(search_of_a_sample(exceeds_memory ? Limit::Memory : Limit::Time));
   if (size_ < input_.size()) {
     correspondences_ =

@@ -49,7 +49,7 @@ LimitHit weights_incomplete() {
 Run::Run(const Options& options) : options_(options), deadline_(options.time_limit, options.stop) {}
 
 bool Run::stopped() {
-  if (cancelled_ || options_.stop.stop_requested()) {
+  if (cancelled()) {
     limit({Limit::Stopped, "the caller stopped the search"});
     return true;
   }

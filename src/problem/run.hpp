@@ -29,6 +29,9 @@ class Run {
   /// Whether the work has to end now; notes in the diagnostics which limit says so.
   bool stopped();
 
+  /// Whether the caller does not want to wait any more.
+  bool cancelled() const { return cancelled_ || options_.stop.stop_requested(); }
+
   /// Tells the caller how far a stage is; a caller may answer by stopping the solve.
   void report(const char* stage, double fraction);
 

@@ -84,14 +84,14 @@ void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const parallel:
   });
 }
 
-void mirror_upper_blocks(BitsetGraph& graph, int num_threads) {
-  for_each_upper_block(graph, num_threads, parallel::Deadline::never(),
-                       [&](Index row, Index column) {
-                         if (row == column) return;
-                         kernels::BitBlock bits = read_block(graph, row, column);
-                         kernels::transpose(bits);
-                         change_block(graph, column, row, bits);
-                       });
+void mirror_upper_blocks(BitsetGraph& graph, int num_threads, const parallel::Deadline& deadline) {
+  for_each_upper_block(graph, num_threads, deadline, [&](Index row, Index column) {
+    if (row == column) return;
+    kernels::BitBlock bits = read_block(graph, row, column);
+    kernels::transpose(bits);
+    change_block(graph, column, row, bits);
+  });
+  if (deadline.expired()) graph = BitsetGraph(graph.num_vertices());
 }
 
 }  // namespace gmcr::problem

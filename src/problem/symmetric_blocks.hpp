@@ -17,7 +17,9 @@ void write_symmetric_blocks(BitsetGraph& graph, int num_threads, const parallel:
                             const std::function<kernels::BitBlock(Index, Index)>& block);
 
 /// Makes a graph symmetric whose rows are right from the block of 64 columns that holds their
-/// diagonal on: the words left of it are written from those. Cost O(N^2 / 64).
-void mirror_upper_blocks(BitsetGraph& graph, int num_threads);
+/// diagonal on: the words left of it are written from those. Where the deadline passes before the
+/// end, all edges are removed. Cost O(N^2 / 64).
+void mirror_upper_blocks(BitsetGraph& graph, int num_threads,
+                         const parallel::Deadline& deadline = parallel::Deadline::never());
 
 }  // namespace gmcr::problem

@@ -82,7 +82,7 @@ std::vector<Alternative> distinct_alternatives(std::vector<Judged> judged) {
 
 /// Fills what the residuals of the inliers say of the transform.
 void describe_uncertainty(Result& result, const Problem& problem, Run& run) {
-  if (problem.is_hurried()) {
+  if (problem.is_hurried() || run.cancelled()) {
     result.consistent_scales = problem.scales();
     return;
   }

@@ -22,6 +22,11 @@ constexpr Index kQuickGraph = 4096;
 /// Starts whose bound is computed, a start that may be taken.
 constexpr Index kMaxBounded = 8;
 
+parallel::Deadline graph_deadline(const PoseSearch& search) {
+  const bool is_quick = search.problem().arrays().size() <= kQuickGraph;
+  return is_quick ? parallel::Deadline::never() : search.run().deadline();
+}
+
 /// Removes the edges of a vertex.
 void isolate(BitsetGraph& graph, Index v) {
   const auto row = graph.mutable_row(v);
@@ -66,7 +71,8 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
   const StageTimer timer(search.run(), "graph");
   ++search.run().diagnostics().num_scale_ranges;
   RangeGraph range{scales, build()};
-  search.problem().filter().apply(range.graph, scales, search.run().options().num_threads);
+  search.problem().filter().apply(range.graph, scales, search.run().options().num_threads,
+                                  graph_deadline(search));
   for (const problem::Hypothesis& known : search.left_out()) {
     for (const Index i : known.inliers) isolate(range.graph, i);
   }
@@ -75,10 +81,8 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
 
 RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
   return build_range_graph(search, scales, [&] {
-    const problem::Run& run = search.run();
-    const bool is_quick = search.problem().arrays().size() <= kQuickGraph;
-    return problem::consistency_graph(search.problem().arrays(), scales, run.options().num_threads,
-                                      is_quick ? parallel::Deadline::never() : run.deadline());
+    return problem::consistency_graph(search.problem().arrays(), scales,
+                                      search.run().options().num_threads, graph_deadline(search));
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <stop_token>
 #include <thread>
 
@@ -11,22 +12,23 @@
 namespace gmcr::registration {
 namespace {
 
-/// Wall time of a solve, seconds; the least of some where it exceeds what is allowed, as what
-/// others do on the machine is not ours.
-double time_solve(const testing::Problem& problem, const Options& options, double allowed) {
-  constexpr int kMaxRuns = 12;
+/// Processor time of a solve by one thread, seconds; the least of some where it exceeds what is
+/// allowed. On a machine that is otherwise idle it is the wall time, and what others do there is
+/// not ours.
+double time_solve(const testing::Problem& problem, Options options, double allowed) {
+  constexpr int kMaxRuns = 10;
+  options.num_threads = 1;
   double least = 1e9;
   for (int run = 0; run < kMaxRuns && least > allowed; ++run) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     register_correspondences(problem.source, problem.target, options);
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    least = std::min(least, wall.count());
+    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return least;
 }
 
 TEST(TimeLimits, AreKept) {
-  for (const Index count : {1000, 20'000, 100'000}) {
+  for (const Index count : {1000, 4096, 20'000, 100'000}) {
     for (const double share : {1.0, 0.5, 0.05}) {
       const auto right = static_cast<Index>(share * static_cast<double>(count));
       const auto problem = testing::random_problem(1, right, count - right);
@@ -62,17 +64,29 @@ TEST(TimeLimits, EndWithAPose) {
 }
 
 TEST(TimeLimits, ThatTheCallerSetsByAStopEndWithAPose) {
-  const auto problem = testing::random_problem(3, 50'000, 50'000);
-  std::stop_source source;
-  Options options = problem.options();
-  options.stop = source.get_token();
-  std::jthread caller([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    source.request_stop();
-  });
-  const Result result = register_correspondences(problem.source, problem.target, options);
-  EXPECT_EQ(result.status, Status::Ok) << result.status_reason;
-  EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.01);
+  using Clock = std::chrono::steady_clock;
+  constexpr double kAllowed = 0.05;
+  constexpr int kMaxRuns = 10;  // what others do on the machine is not ours
+  const auto problem = testing::random_problem(3, 10'000, 10'000);
+  double least = 1e9;
+  for (int run = 0; run < kMaxRuns && least > kAllowed; ++run) {
+    std::stop_source source;
+    Options options = problem.options_with_unknown_scale();
+    options.stop = source.get_token();
+    Clock::time_point asked;
+    std::jthread caller([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      asked = Clock::now();
+      source.request_stop();
+    });
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    const Clock::time_point end = Clock::now();
+    caller.join();
+    EXPECT_EQ(result.status, Status::Ok) << result.status_reason;
+    EXPECT_LT(mean_point_error(result.target_from_source, problem.truth, problem.source), 0.01);
+    least = std::min(least, std::chrono::duration<double>(end - asked).count());
+  }
+  EXPECT_LE(least, kAllowed);
 }
 
 TEST(TimeLimits, OfMatchesWithoutAPoseEndTheSameWay) {
