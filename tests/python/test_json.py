@@ -52,7 +52,7 @@ def test_the_schema_is_one_and_refuses_what_it_does_not_list(result: gmcr.Result
         {"rotation": [[1, 0], [0, 1]]},
         {"certificate": {**fields["certificate"], "unlisted": 1}},
         {"limit_codes": ["patience"]},
-        {"verdict": "trusted"},  # and no other field of two clouds
+        {"num_source_voxels": 3},  # and no other field of two clouds
     ):
         assert not VALIDATOR.is_valid({**fields, **change}), change
     for name in ("status", "certificate", "time_ms", "report", "limit_codes"):

@@ -74,13 +74,15 @@ def browser() -> Iterator[Any]:
 
 
 def new_visit(browser: Any) -> Visit:
-    return Visit(browser.new_page(viewport={"width": 1000, "height": 700}))
+    page = browser.new_page(viewport={"width": 1000, "height": 700})
+    page.set_default_timeout(180_000)  # drawing without a graphics card, on a busy machine
+    return Visit(page)
 
 
 def open_offline(visit: Visit, path: Path) -> None:
     visit.page.context.set_offline(True)
     visit.page.goto(path.as_uri())
-    visit.page.wait_for_selector("#clouds canvas", timeout=60_000)
+    visit.page.wait_for_selector("#clouds canvas")
     visit.page.wait_for_function("document.getElementById('clouds')._fullData !== undefined")
 
 
@@ -205,7 +207,7 @@ def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
 ) -> None:
     page = visit.page
     page.goto(f"http://127.0.0.1:{server.get_port()}")
-    page.get_by_text("before / after").wait_for(timeout=60_000)
+    page.get_by_text("before / after").wait_for()
     body = page.inner_text("body")
     assert f"inliers {len(result.registration.inliers)} of {len(result.matches.source)}" in body
     assert "showing 1,500 of 3,000 points" in body
