@@ -11,8 +11,6 @@
 namespace gmcr::problem {
 namespace {
 
-/// A search of fewer than so many tells nothing of more.
-constexpr Index kLeastSample = 1024;
 /// A time limit that graphs exceed by more is for a sample.
 constexpr double kFarBeyond = 2;
 

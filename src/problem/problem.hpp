@@ -26,6 +26,9 @@ inline double foreseen_seconds(Index num_correspondences, bool scale_is_known) {
 /// there is a pose to offer.
 inline constexpr Index kQuickGraph = 4096;
 
+/// A search of fewer out of more correspondences tells nothing of these.
+inline constexpr Index kLeastSample = 1024;
+
 /// Whether a problem may be too large for its memory and time, so that a sample of it is searched.
 enum class Route { Any, Whole };
 
