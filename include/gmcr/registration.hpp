@@ -15,12 +15,14 @@ namespace gmcr {
 /// Maximises the evidence of { i : |target_i - (s R source_i + t)| <= noise_bound_i }
 /// (Gentner et al. 2023, Eq. (2)) by consistency graphs and maximum cliques, and bounds from
 /// above how many inliers any transform can have.
-/// @param source, target  3 x N, the same N, metres, finite.
+/// @param source, target  3 x N, the same N, metres; coordinates are 0 or of a magnitude from
+///   `kLeastMagnitude` to `kLargestMagnitude`.
 /// @return status, transform, inliers, certificate and diagnostics.
-/// @throws std::invalid_argument on a shape mismatch, a value that is not finite, or a bad option,
-///   before any work.
-/// Cost: O(N^2) time and N^2 / 8 bytes for the graph; the clique search is exponential in the worst
-/// case and bounded by `options.time_limit`; `NoiseMode::Estimated` adds about 11 cheap solves.
+/// @throws std::invalid_argument on a shape mismatch, a value out of range, or a bad option, before
+///   any work.
+/// Cost: O(N^2) time and N^2 / 8 bytes for the graph, O(N) and that of a sample where memory or
+/// time is far from sufficing for it; the clique search is exponential in the worst case and
+/// bounded by `options.time_limit`; `NoiseMode::Estimated` adds about 11 cheap solves.
 /// Deterministic for any thread count unless the time binds.
 Result register_correspondences(const PointsRef& source, const PointsRef& target,
                                 const Options& options);

@@ -23,7 +23,8 @@ def register_correspondences(
     Parameters
     ----------
     source, target : array_like, shape (N, 3)
-        Matched points, metres, finite. C-order float64 arrays are read in place.
+        Matched points, metres; coordinates are 0 or of a magnitude from 1e-50 to 1e50. C-order
+        float64 arrays are read in place.
     options : Options, optional
         Every choice of the solver.
     **keywords
@@ -39,13 +40,14 @@ def register_correspondences(
     Raises
     ------
     ValueError
-        on a wrong shape, a value that is not finite, or an option out of range, before any work.
+        on a wrong shape, or a value or an option out of range, before any work.
     TypeError
         on an unknown option.
 
     Notes
     -----
-    O(N^2) time and N^2 / 8 bytes; the clique search is exponential in the worst case and ends at
+    O(N^2) time and N^2 / 8 bytes, O(N) and those of a sample where memory or time is far from
+    sufficing; the clique search is exponential in the worst case and ends at
     ``options.time_limit``. Other Python threads run meanwhile, and Ctrl-C stops it.
 
     Examples

@@ -8,7 +8,6 @@
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"
 #include "search/best_poses.hpp"
-#include "search/sampled_search.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -82,11 +81,9 @@ double typical_norm(const Points& points) {
 /// The pose that holds the most, between the caller's frames, if it holds 3.
 std::optional<Similarity> find_pose(const problem::Problem& problem, problem::Run& run) {
   if (problem.is_too_small()) return std::nullopt;
-  const problem::Found found = [&] {
-    if (problem.options().method == Method::Paper) return paper::solve(problem, run);
-    if (problem.is_sampled()) return search::sampled_search(problem, run);
-    return search::BestPoseSearch(problem, run).found();
-  }();
+  const problem::Found found = problem.options().method == Method::Paper
+                                   ? paper::solve(problem, run)
+                                   : search::BestPoseSearch(problem, run).found();
   if (found.poses.empty()) return std::nullopt;
   const auto pose = estimation::admitted_pose(
       problem::uncentre(found.poses.front(), problem.correspondences()).similarity,
@@ -117,9 +114,14 @@ NoiseBoundSearch::NoiseBoundSearch(const PointsRef& source, const PointsRef& tar
 }
 
 void NoiseBoundSearch::run() {
-  const Index n = source_.cols();
-  const Index most =
-      options_.scale_mode == ScaleMode::Estimated ? std::min(n, kMostOfUnknownScale) : n;
+  const bool scale_is_known = options_.scale_mode == ScaleMode::Known;
+  Index most = std::min(source_.cols(), problem::Run(options_).num_in_memory());
+  if (!scale_is_known) most = std::min(most, kMostOfUnknownScale);
+  // far below a trial's share of the time, so that no choice of the search depends on the clock
+  const double share = options_.time_limit / 8 / static_cast<double>(ladder().size() + kMaxRounds);
+  while (most > problem::kLeastSample && problem::foreseen_seconds(most, scale_is_known) > share) {
+    most -= most / 8;
+  }
   for (Index size = std::min(kFirstSelection, most);;
        size = std::min(kSelectionGrowth * size, most)) {
     climb(size);
@@ -197,7 +199,7 @@ void NoiseBoundSearch::try_bound(double bound, Index count) {
   const Points source = source_(Eigen::all, selected), target = target_(Eigen::all, selected);
   const Options options = cheap_options(bound);
   problem::Run run(options);
-  const problem::Problem problem(source, target, options, run);
+  const problem::Problem problem(source, target, options, run, problem::Route::Whole);
   trials_.push_back({bound, find_pose(problem, run), {}});
   num_clique_nodes_ += run.diagnostics().num_clique_nodes;
   if (!trials_.back().pose) return;

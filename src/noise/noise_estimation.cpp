@@ -8,6 +8,7 @@
 
 #include "noise/noise_bound_search.hpp"
 #include "parallel/stopwatch.hpp"
+#include "problem/problem.hpp"
 #include "problem/selection.hpp"
 
 namespace gmcr::noise {
@@ -45,6 +46,10 @@ std::vector<Index> distinct_correspondences(const PointsRef& source, const Point
 ChosenNoise choose_noise(const PointsRef& source, const PointsRef& target, const Options& options) {
   const std::vector<Index> distinct = distinct_correspondences(source, target);
   if (distinct.size() < 3) return {};
+  if (options.admit_all()) {
+    // before any work; priors may leave fewer
+    problem::Run(options).require_memory_for_graph(std::min(source.cols(), problem::kLeastSample));
+  }
   const parallel::Stopwatch clock;
   const Points distinct_source = source(Eigen::all, distinct);
   const Points distinct_target = target(Eigen::all, distinct);

@@ -11,12 +11,8 @@
 namespace gmcr::problem {
 namespace {
 
-/// A search of fewer than so many tells nothing of more.
-constexpr Index kLeastSample = 1024;
-/// A time limit that graphs exceed by more is for a sample, but of so few that they are built in
-/// milliseconds.
+/// A time limit that graphs exceed by more is for a sample.
 constexpr double kFarBeyond = 2;
-constexpr Index kQuick = 4096;
 
 bool has_one_scale(const Options& options) {
   return options.scale_mode == ScaleMode::Known ||
@@ -36,7 +32,8 @@ std::vector<Index> admitted_correspondences(const Correspondences& all, const Pr
 
 }  // namespace
 
-Problem::Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run)
+Problem::Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run,
+                 Route route)
     : options_(options),
       input_{source, target, inlier_bounds(options, source.cols())},
       min_inliers_(estimation::min_correspondences(options, has_one_scale(options))),
@@ -52,11 +49,12 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
   diagnostics.scale_range = scales;
   diagnostics.num_used = size_ = static_cast<Index>(used.size());
   if (is_too_small()) return;
-  const bool is_whole = options.method == Method::Paper;
+  const bool is_whole = route == Route::Whole || options.method == Method::Paper;
   run.require_memory_for_graph(is_whole ? size_ : std::min(size_, kLeastSample));
   const bool exceeds_memory = size_ > run.num_in_memory();
-  const bool exceeds_time = size_ > kQuick && foreseen_seconds(size_, scales.min == scales.max) >
-                                                  kFarBeyond * options.time_limit;
+  const bool exceeds_time =
+      size_ > kQuickGraph &&
+      foreseen_seconds(size_, scales.min == scales.max) > kFarBeyond * options.time_limit;
   is_sampled_ = !is_whole && (exceeds_memory || exceeds_time);
   if (is_sampled_) run.limit(search_of_a_sample(exceeds_memory ? Limit::Memory : Limit::Time));
   if (size_ < input_.size()) {

@@ -22,6 +22,16 @@ inline double foreseen_seconds(Index num_correspondences, bool scale_is_known) {
   return kOfAPair * n * n / 2 * (scale_is_known ? 1 : kScales);
 }
 
+/// So many correspondences have their graph in milliseconds: it is built whatever the time, so that
+/// there is a pose to offer.
+inline constexpr Index kQuickGraph = 4096;
+
+/// A search of fewer out of more correspondences tells nothing of these.
+inline constexpr Index kLeastSample = 1024;
+
+/// Whether a problem may be too large for its memory and time, so that a sample of it is searched.
+enum class Route { Any, Whole };
+
 /// One problem, as all of a solve sees it: what was given, in the layouts and with the bounds that
 /// the stages read. Nothing of it changes once it is built.
 ///
@@ -36,7 +46,8 @@ class Problem {
   /// @throws std::invalid_argument where the memory budget does not suffice for a graph of a sample
   ///   either, and for the graph of all where the method is that of the paper.
   /// Cost O(N log N), and the pairs of near targets for distinct evidence.
-  Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run);
+  Problem(const PointsRef& source, const PointsRef& target, const Options& options, Run& run,
+          Route route = Route::Any);
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
@@ -54,7 +65,8 @@ class Problem {
   Index min_inliers() const { return min_inliers_; }
 
   /// Whether the memory or the time is far from sufficing for a consistency graph of all of them,
-  /// so that a sample is searched. The method of the paper has none.
+  /// so that a sample is searched; never on `Route::Whole`. The method of the paper has no such
+  /// route.
   bool is_sampled() const { return is_sampled_; }
 
   /// Whether the time hardly suffices for some passes over all of them.

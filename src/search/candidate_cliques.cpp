@@ -16,14 +16,11 @@ constexpr Index kMaxCandidates = 256;
 constexpr double kExplained = 3;
 /// A clique with less than this part of the best evidence is no rival.
 constexpr double kLeastPart = 0.5;
-/// So many correspondences have their graph in milliseconds: it is built in any case, so that there
-/// is a pose to offer.
-constexpr Index kQuickGraph = 4096;
 /// Starts whose bound is computed, a start that may be taken.
 constexpr Index kMaxBounded = 8;
 
 parallel::Deadline graph_deadline(const PoseSearch& search) {
-  const bool is_quick = search.problem().arrays().size() <= kQuickGraph;
+  const bool is_quick = search.problem().arrays().size() <= problem::kQuickGraph;
   return is_quick ? parallel::Deadline::never() : search.run().deadline();
 }
 
@@ -88,7 +85,7 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales) {
 
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts) {
   const Index n = range.graph.num_vertices();
-  if (n > kQuickGraph && search.best() && search.run().stopped()) return;
+  if (n > problem::kQuickGraph && search.best() && search.run().stopped()) return;
   std::vector<Index> degree;
   std::vector<Index> order;
   {

@@ -44,7 +44,7 @@ class Part {
         target_(whole.correspondences().target(Eigen::all, selected).colwise() +
                 whole.correspondences().target_origin),
         run_(options_),
-        problem_(source_, target_, options_, run_) {}
+        problem_(source_, target_, options_, run_, problem::Route::Whole) {}
 
   /// The best pose and its alternatives, between the frames of the whole.
   std::vector<problem::CentredPose> find(const Problem& whole) {
@@ -66,10 +66,13 @@ class Part {
     Options some = whole.options();
     some.certify = false;
     some.scale_range = whole.scale_is_known() ? some.scale_range : whole.scales();
-    some.time_limit = std::max(run.deadline().remaining(), parallel::kLeastSeconds);
+    // where copies of all took what there was, a part of it more
+    constexpr double kLeastShare = 0.25;
+    some.time_limit = std::max(
+        {run.deadline().remaining(), kLeastShare * some.time_limit, parallel::kLeastSeconds});
     some.progress = [&run](const Progress& progress) {
       run.report(progress.stage, progress.fraction);
-      return !run.stopped();
+      return !run.cancelled();
     };
     if (some.noise_bounds.empty()) return some;
     const Eigen::ArrayXd bounds = whole.correspondences().bounds(selected);

@@ -7,6 +7,7 @@
 #include "built_problem.hpp"
 #include "gmcr/metrics.hpp"
 #include "gmcr/registration.hpp"
+#include "search/best_poses.hpp"
 
 namespace gmcr::search {
 namespace {
@@ -85,6 +86,27 @@ TEST(SampledSearch, OfSeveralMotionsReturnsAsManyAsAreAskedFor) {
   ASSERT_EQ(result.alternatives.size(), 1u);
   EXPECT_LT(mean_point_error(result.alternatives[0].target_from_source, other, matches.source),
             1e-3);
+}
+
+TEST(SampledSearch, OfAPartIsASearchOfTheWholeOfItWhateverTheTime) {
+  const auto matches = testing::random_problem(7, 3000, 3000);
+  Options options = matches.options();
+  options.time_limit = 1e-6;
+  problem::Run run(options);
+  const problem::Problem any(matches.source, matches.target, options, run);
+  EXPECT_TRUE(any.is_sampled());
+  const problem::Problem whole(matches.source, matches.target, options, run, problem::Route::Whole);
+  EXPECT_FALSE(whole.is_sampled());
+  EXPECT_FALSE(BestPoseSearch(whole, run).found().poses.empty());
+}
+
+TEST(SampledSearch, AnswersWhereCopiesTakeAllOfTheTime) {
+  const auto matches = testing::random_problem(8, 500'000, 500'000);
+  Options options = matches.options();
+  options.time_limit = 0.05;
+  const Result result = register_correspondences(matches.source, matches.target, options);
+  EXPECT_EQ(result.status, Status::Ok);
+  EXPECT_LT(mean_point_error(result.target_from_source, matches.truth, matches.source), 0.01);
 }
 
 TEST(SampledSearch, IsNotForTheMethodOfThePaperNorForTooLittleMemory) {
