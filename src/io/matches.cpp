@@ -144,6 +144,7 @@ double extent_of(const Eigen::Ref<const Eigen::MatrixXd>& points) {
 }
 
 /// A last column without a name is metres only where it cannot be a score.
+/// A text may come from anywhere, so bounds that are large for the cloud are doubted there too.
 void check_unnamed_bounds(const std::filesystem::path& path, io::Table& table) {
   constexpr Index kFewRows = 10;  // which tell nothing
   constexpr double kLikelyScore = 0.5;
@@ -154,8 +155,9 @@ void check_unnamed_bounds(const std::filesystem::path& path, io::Table& table) {
   const double high = bounds.maxCoeff();
   const double extent =
       std::max(extent_of(table.values.topRows<3>()), extent_of(table.values.middleRows<3>(3)));
-  const bool may_be_score =
-      (low >= 0 && high <= 1 && high > kLikelyScore) || high > kLargestShareOfExtent * extent;
+  const bool is_text = !table.lines.empty();
+  const bool may_be_score = (low >= 0 && high <= 1 && high > kLikelyScore) ||
+                            (is_text && high > kLargestShareOfExtent * extent);
   if (may_be_score && table.values.cols() >= kFewRows) {
     throw IoError(path, 0,
                   "the 7th column has no name and goes from " + shown(low) + " to " + shown(high) +
