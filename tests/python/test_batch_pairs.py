@@ -92,7 +92,7 @@ def test_an_unknown_format_is_refused(tmp_path):
         count_pairs(tmp_path / "pairs.txt")
 
 
-TABLE = np.arange(14.0).reshape(2, 7)
+TABLE = np.arange(1.0, 15.0).reshape(2, 7)
 
 
 @pytest.mark.parametrize(

@@ -182,7 +182,7 @@ def test_pcd_with_fields_of_several_values_gives_its_points(
     assert cloud.points.tolist() == [[1.5, 2, 3]]
     assert cloud.num_dropped == 1
     path.write_bytes(path.read_bytes()[: -len(body) // 2])
-    with pytest.raises(CloudFileError, match="truncated|expected"):
+    with pytest.raises(CloudFileError, match=r"truncated|expected"):
         read_cloud(path)
 
 
@@ -251,9 +251,9 @@ def test_lidar_rows_of_float32_give_their_first_three(
 @pytest.mark.parametrize(
     ("array", "reason"),
     [
-        (np.zeros((4, 2)), r"shape \(N, 3\), but it is \(4, 2\)"),
+        (np.zeros((4, 2)), r"shape \(4, 2\), expected \(N, 3\)"),
         (np.array([["a", "b", "c"]]), "not an array of numbers"),
-        (np.array([[None] * 3]), "allow_pickle"),
+        (np.array([[None] * 3]), "not an array of numbers"),
     ],
 )
 def test_npy_files_of_other_arrays_are_errors(

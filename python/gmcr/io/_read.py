@@ -19,6 +19,7 @@ from ._rosbag import is_recording, read_recording
 
 PathLike = Union[str, "os.PathLike[str]"]
 
+
 def read_points(
     path: PathLike,
     *,
