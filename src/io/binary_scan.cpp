@@ -109,9 +109,14 @@ std::vector<Candidate> candidates_of(std::string_view bytes) {
   return candidates;
 }
 
+/// So few rows that their columns tell nothing.
+bool is_small(std::string_view bytes) {
+  return static_cast<Index>(bytes.size() / bytes_of(kKittiColumns)) < kFewestRows;
+}
+
 /// The number of columns that what they hold speaks for; nullopt: for none.
 std::optional<Index> clear_choice(std::string_view bytes) {
-  if (static_cast<Index>(bytes.size() / bytes_of(kKittiColumns)) < kFewestRows) return std::nullopt;
+  if (is_small(bytes)) return std::nullopt;
   const auto candidates = candidates_of(bytes);
   if (candidates.empty() || candidates[0].difference < kClearDifference) return std::nullopt;
   if (candidates.size() > 1 && candidates[0].difference < candidates[1].difference + kClearLead) {
@@ -159,11 +164,16 @@ CloudFile parse_unknown_scan(const std::filesystem::path& path, std::string_view
                       " bytes are no multiple of 16 (4 float32 a point); they fit " + fitting +
                       ", but the columns do not tell: say bin_columns");
   }
+  if (!clear && !is_small(bytes)) {
+    throw IoError(path, 0,
+                  "ambiguous: " + std::to_string(bytes.size()) + " bytes fit " + fitting +
+                      " float32 a point, and the columns do not tell: say bin_columns");
+  }
   CloudFile file = parse_binary_scan(path, bytes, clear.value_or(kKittiColumns));
   file.notes.push_back(clear ? "its size fits " + fitting + " float32 a point: read as " +
                                    std::to_string(*clear) + ", by what the columns hold"
                              : "its size fits " + fitting +
-                                   " float32 a point, and the columns do not tell: read as " +
+                                   " float32 a point, and so few rows do not tell: read as " +
                                    std::to_string(kKittiColumns) + "; bin_columns says otherwise");
   return file;
 }

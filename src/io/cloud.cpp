@@ -68,6 +68,22 @@ void check(const CloudOptions& options) {
   }
 }
 
+/// How many of the points are one and the same, if it may be most of them (the vote of Boyer and
+/// Moore); else fewer than half.
+Index most_repeats(const Points& points) {
+  Index candidate = 0;
+  Index votes = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (votes == 0) candidate = i;
+    votes += points.col(i) == points.col(candidate) ? 1 : -1;
+  }
+  Index count = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    count += points.col(i) == points.col(candidate) ? 1 : 0;
+  }
+  return count;
+}
+
 /// Leaves the rows that are points, and says what the others were.
 Cloud cloud_of(const std::filesystem::path& path, const PointsRef& points, bool is_organised,
                std::vector<std::string> notes) {
@@ -86,8 +102,13 @@ Cloud cloud_of(const std::filesystem::path& path, const PointsRef& points, bool 
     notes.push_back("dropped " + std::to_string(valid.num_zeros) +
                     " points at (0, 0, 0), which mark no return");
   }
-  return {points(Eigen::all, valid.indices), valid.num_not_finite + valid.num_zeros,
-          std::move(notes)};
+  Points kept = points(Eigen::all, valid.indices);
+  const Index repeats = most_repeats(kept);
+  if (repeats > 1 && 2 * repeats > kept.cols()) {
+    notes.push_back(std::to_string(repeats) + " of " + std::to_string(kept.cols()) +
+                    " points are one and the same");
+  }
+  return {std::move(kept), valid.num_not_finite + valid.num_zeros, std::move(notes)};
 }
 
 /// Points on the surface of a mesh.

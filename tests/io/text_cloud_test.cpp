@@ -47,6 +47,14 @@ TEST(TextCloud, TakesTheFirstThreeOfMoreColumnsAndSaysSo) {
   EXPECT_EQ(cloud.notes[0], "x, y, z are the first 3 of 7 columns");
 }
 
+TEST(TextCloud, ThatIsMostlyOnePointIsSaidToBeSo) {
+  const TemporaryFolder folder;
+  const Cloud cloud = read_cloud(folder.write("a.xyz", "1 2 3\n9 9 9\n1 2 3\n8 8 8\n1 2 3\n"));
+  EXPECT_EQ(cloud.points.cols(), 5);
+  EXPECT_EQ(cloud.notes, std::vector<std::string>{"3 of 5 points are one and the same"});
+  EXPECT_TRUE(read_cloud(folder.write("b.xyz", "1 2 3\n9 9 9\n1 2 3\n8 8 8\n")).notes.empty());
+}
+
 TEST(TextCloud, DropsRowsWithoutANumberForACoordinate) {
   const TemporaryFolder folder;
   const Cloud cloud = read_cloud(folder.write(
@@ -124,6 +132,13 @@ TEST(BinaryScan, ThatDoesNotTellIsKittiWithADoubt) {
   EXPECT_EQ(cloud.points.cols(), 3);
   ASSERT_EQ(cloud.notes.size(), 1U);
   EXPECT_NE(cloud.notes[0].find("fits 3 or 4 or 6 float32"), std::string::npos) << cloud.notes[0];
+  test::Noise noise(3);
+  std::vector<float> cube;  // of which every column holds the same
+  for (int i = 0; i < 3 * 4000; ++i) cube.push_back(static_cast<float>(noise.uniform()));
+  const auto same = folder.write("c.bin", test::bytes_of(cube));
+  test::expect_io_error([&] { read_cloud(same); }, same, 0,
+                        "fit 3 or 4 or 5 or 6 float32 a point, and");
+  EXPECT_EQ(read_cloud(same, {.bin_columns = 3}).points.cols(), 4000);
   const auto cut = folder.write("b.bin", scan_of(4, 1200).substr(0, 4 * 4797));
   test::expect_io_error([&] { read_cloud(cut); }, cut, 0, "truncated");
   EXPECT_THROW(read_cloud(cut, {.bin_columns = 2}), std::invalid_argument);
