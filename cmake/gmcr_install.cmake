@@ -1,13 +1,13 @@
-# `cmake --install` and find_package(gmcr) for users. Exports the core, the front end and the reports; what needs
-# Open3D stays inside the tool.
+# `cmake --install` and find_package(gmcr) for users. Exports the core, the front end, files and
+# reports.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gmcr)
-install(TARGETS gmcr gmcr_frontend gmcr_report EXPORT gmcr-targets)
+install(TARGETS gmcr gmcr_frontend gmcr_io gmcr_report EXPORT gmcr-targets)
 install(EXPORT gmcr-targets NAMESPACE gmcr:: DESTINATION ${package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gmcr ${PROJECT_BINARY_DIR}/include/gmcr
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        PATTERN io.hpp EXCLUDE PATTERN synthetic.hpp EXCLUDE)
+        PATTERN synthetic.hpp EXCLUDE)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gmcr-config.cmake.in
   ${PROJECT_BINARY_DIR}/gmcr-config.cmake INSTALL_DESTINATION ${package_dir})

@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 
 #include "choice.hpp"
+#include "validators.hpp"
 
 namespace gmcr::cli {
 
@@ -44,6 +45,21 @@ Options SolverArguments::resolved() const {
 void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
   command.add_option("SOURCE", source, "Cloud to move")->required();
   command.add_option("TARGET", target, "Cloud to move it onto")->required();
+  constexpr const char* kGroup = "Files";
+  command
+      .add_option("--mesh-points", reading.mesh_points,
+                  "Points spread over the surface of a mesh; 0: its vertices")
+      ->capture_default_str()
+      ->check(at_least(0))
+      ->type_name("N")
+      ->group(kGroup);
+  command
+      .add_option("--bin-columns", reading.bin_columns,
+                  "Float32 numbers of a point in .bin files; 0: told by size and content")
+      ->capture_default_str()
+      ->check(at_least(0))
+      ->type_name("N")
+      ->group(kGroup);
   add_flags(command, frontend, selection);
 }
 

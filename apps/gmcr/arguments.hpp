@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gmcr/frontend.hpp"
+#include "gmcr/io.hpp"
 #include "gmcr/options.hpp"
 #include "noise_arguments.hpp"
 #include "option_flags.hpp"
@@ -36,6 +37,7 @@ struct CloudArguments {
   std::string source;
   std::string target;
   FrontendOptions frontend;
+  CloudOptions reading;
 
   /// @param selection  of the front end's options; null: all.
   void add_to(CLI::App& command, const Selection& selection = nullptr);

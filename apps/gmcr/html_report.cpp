@@ -8,8 +8,8 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -82,7 +82,7 @@ void require_html_reports() {
 }
 
 void write_html_report(const fs::path& path, const std::string& result, const ReportInput& input) {
-  if (!std::ofstream(path)) throw IoError(path, 0, std::strerror(errno));
+  check_output(path);
   const ScratchFolder folder;
   const fs::path result_path = folder / "result.json";
   const fs::path matches_path = folder / "matches.npy";
@@ -98,11 +98,15 @@ void write_html_report(const fs::path& path, const std::string& result, const Re
     write_cloud(target_path, *input.target);
     arguments.insert(arguments.end(), {"--clouds", source_path.string(), target_path.string()});
   }
-  arguments.insert(arguments.end(), {"--output", fs::absolute(path).string()});
+  // written aside too: it replaces an older report only when it is whole
+  const fs::path page_path = folder / "report.html";
+  arguments.insert(arguments.end(), {"--output", page_path.string()});
   const int exit_code = run_python(arguments, Errors::Shown);
   if (exit_code != 0) {
     throw IoError(path, 0, fmt::format("no report: gmcr.viz ended with {}", exit_code));
   }
+  std::ifstream page(page_path, std::ios::binary);
+  write_text(path, std::string(std::istreambuf_iterator<char>(page), {}));
 }
 
 }  // namespace gmcr::cli

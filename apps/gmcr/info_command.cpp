@@ -54,7 +54,8 @@ ExitCode run(bool as_json) {
   report.line("threads", json["threads"].dump());
   report.line("build", fmt::format("{}, {}", GMCR_BUILD_TYPE, __VERSION__));
   std::string title = "defaults";
-  for (const auto& [name, value] : defaults().items()) {
+  const Json values = defaults();  // items() of a temporary would outlive it
+  for (const auto& [name, value] : values.items()) {
     report.line(title, fmt::format("{:<20} {}", name,
                                    value.is_string() ? value.get<std::string>() : value.dump()));
     title.clear();

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 
 #include "gmcr/io.hpp"
 
@@ -17,10 +16,7 @@ void print_json(const std::string& text) {
 }
 
 void write_json(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text << '\n';
-  file.close();
-  if (!file) throw IoError(path, 0, std::strerror(errno));
+  write_text(path, text + '\n');
 }
 
 }  // namespace gmcr::cli

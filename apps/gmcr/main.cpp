@@ -3,8 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "commands.hpp"
 #include "gmcr/invalid_option.hpp"
@@ -71,9 +76,14 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     // not left to CLI11, which would not name a command that it does not know
     if (!work) throw CLI::RequiredError("A command");
-    return work();
+    const ExitCode code = work();
+    // what is buffered may be what a full disk refuses
+    if (std::fflush(stdout) != 0) throw IoError("standard output", 0, std::strerror(errno));
+    return code;
   } catch (const CLI::Success& request) {
-    return app.exit(request);  // --help or --version
+    const int code = app.exit(request);  // --help or --version
+    if (!std::cout.flush()) return fail(kBadFile, "standard output: cannot be written");
+    return code;
   } catch (const CLI::ParseError& error) {
     return fail(kBadInput, as_written(error.what(), app, argc, argv) + " (see gmcr --help)");
   } catch (const IoError& error) {
@@ -82,6 +92,8 @@ int run(int argc, char** argv) {
     return fail(kBadInput, as_written(with_flag(error, app), app, argc, argv));
   } catch (const std::invalid_argument& error) {
     return fail(kBadInput, error.what());
+  } catch (const std::system_error& error) {  // of fmt::print
+    return fail(kBadFile, std::string("standard output: ") + error.what());
   } catch (const std::bad_alloc&) {
     return fail(kBadInput, "not enough memory; try a smaller --memory-limit or fewer points");
   } catch (const std::exception& error) {

@@ -27,8 +27,9 @@ struct Arguments {
 };
 
 ExitCode run(const Arguments& arguments) {
-  const Points source = read_points(arguments.clouds.source);
-  const Points target = read_points(arguments.clouds.target);
+  check_matches_output(arguments.matches);
+  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
+  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
   const CloudMatches matches =
       match_clouds(source, target, arguments.clouds.frontend, arguments.options);

@@ -14,8 +14,9 @@ namespace gmcr::cli {
 namespace {
 
 constexpr const char* kExamples =
-    R"(Clouds: .ply .pcd .xyz .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin. Points that are not finite
-are dropped. Voxel size and noise bound come from the clouds unless given.
+    R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
+surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
+for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come from the clouds unless given.
 
 Examples:
   gmcr register scan2.ply scan1.ply
@@ -47,6 +48,15 @@ struct Arguments {
   Verdict required = Verdict::Untrusted;
 };
 
+/// What could not be written is found before the work, not after it.
+void check_outputs(const Arguments& arguments) {
+  for (const std::string& path : {arguments.transform, arguments.json_file, arguments.report}) {
+    if (!path.empty()) check_output(path);
+  }
+  if (!arguments.aligned.empty()) check_cloud_output(arguments.aligned);
+  if (!arguments.matches.empty()) check_matches_output(arguments.matches);
+}
+
 /// Writes the files that need a pose, and returns the paths of all that were written.
 std::vector<std::string> write_files(const Arguments& arguments, const CloudResult& result,
                                      const Points& source, const Points& target,
@@ -60,7 +70,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
       note(arguments.transform);
     }
     if (!arguments.aligned.empty()) {
-      write_cloud(arguments.aligned, pose.apply(source));
+      write_moved_cloud(arguments.aligned, arguments.clouds.source, pose, arguments.clouds.reading);
       note(arguments.aligned);
     }
   }
@@ -87,8 +97,9 @@ ExitCode run(const Arguments& arguments) {
   if (!arguments.report.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
-  const Points source = read_points(arguments.clouds.source);
-  const Points target = read_points(arguments.clouds.target);
+  check_outputs(arguments);
+  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
+  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
   CloudResult result;
   ReportContext context;
   context.options = &options;

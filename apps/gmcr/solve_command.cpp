@@ -8,6 +8,7 @@
 #include "html_report.hpp"
 #include "json_text.hpp"
 #include "progress.hpp"
+#include "read_points.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
 
@@ -16,8 +17,9 @@ namespace {
 
 constexpr const char* kExamples =
     R"(MATCHES is a CSV with the columns ax,ay,az,bx,by,bz (source point, target point; also
-sx,sy,sz,tx,ty,tz, by name among others) or an .npy of shape (N, 6). A 7th column (noise_bound)
-holds a noise bound for each match, instead of --noise-bound.
+sx,sy,sz,tx,ty,tz or x1..z2, by name among others) or an .npy of shape (N, 6). A 7th column
+(noise_bound) holds a noise bound for each match, instead of --noise-bound; without a name it is
+refused where it may as well be a score.
 
 Examples:
   gmcr solve matches.csv --noise-bound 0.05
@@ -74,7 +76,12 @@ ExitCode run(const Arguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.instances.validate();
+  for (const std::string& path :
+       {arguments.transform_path, arguments.inliers_path, arguments.report_path}) {
+    if (!path.empty()) check_output(path);
+  }
   const Matches matches = read_matches(arguments.matches);
+  say_notes(arguments.matches, matches.notes);
   arguments.solver.noise.check_against(matches, options);
   ProgressLine progress;
   options.progress = progress.callback();
@@ -123,7 +130,7 @@ void add_instance_options(CLI::App& command, InstanceOptions& instances) {
 void add_solve_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("solve", "Pose from a file of putative matches");
-  command.add_option("MATCHES", arguments->matches, "Matches, .csv or .npy")->required();
+  command.add_option("MATCHES", arguments->matches, "Matches, .csv, .txt or .npy")->required();
   arguments->solver.noise.add_to(command,
                                  "Largest error of a right match, metres; auto: chosen from the "
                                  "matches. Required unless MATCHES has a 7th column");

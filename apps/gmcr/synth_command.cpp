@@ -9,6 +9,7 @@
 #include "json.hpp"
 #include "option_flags.hpp"
 #include "options/table.hpp"
+#include "read_points.hpp"
 #include "report.hpp"
 
 namespace gmcr::cli {
@@ -69,9 +70,14 @@ std::vector<Index> inliers_of(const SyntheticProblem& problem) {
 
 ExitCode run(const Arguments& arguments) {
   const SyntheticOptions& options = arguments.options;
+  check_matches_output(arguments.matches);
+  for (const std::string& path : {arguments.truth, arguments.inliers}) {
+    if (!path.empty()) check_output(path);
+  }
   const SyntheticProblem problem =
-      arguments.model.empty() ? make_synthetic(options)
-                              : make_synthetic(options, read_cloud(arguments.model).points);
+      arguments.model.empty()
+          ? make_synthetic(options)
+          : make_synthetic(options, read_points(arguments.model, {.mesh_points = 0}));
   const std::vector<Index> inliers = inliers_of(problem);
   write_matches(arguments.matches, problem.source, problem.target);
   if (!arguments.truth.empty()) write_transform(arguments.truth, problem.target_from_source);

@@ -10,10 +10,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-import numpy.typing as npt
-
 import gmcr
+
+from . import _gmcr
 
 TOOL = Path(__file__).parent / "bin" / "gmcr"
 EPILOG = """The whole tool (register, match, clique, synth, eval) needs Open3D's
@@ -70,7 +69,9 @@ def _info() -> int:
 
 
 def _solve(arguments: argparse.Namespace) -> int:
-    matches = _read_matches(arguments.matches)
+    source, target, noise_bounds, notes = _gmcr.read_matches(arguments.matches)
+    for note in notes:
+        print(f"gmcr: {arguments.matches}: {note}", file=sys.stderr)
     names = ("scale", "method", "evidence", "num_threads", "time_limit")
     given = {name: getattr(arguments, name) for name in names}
     options = gmcr.Options(**{name: value for name, value in given.items() if value is not None})
@@ -80,21 +81,11 @@ def _solve(arguments: argparse.Namespace) -> int:
         options.noise_mode = "estimated"
     else:
         options.noise_bound = float(arguments.noise_bound)
-    result = gmcr.register_correspondences(matches[:, :3], matches[:, 3:], options)
+    if noise_bounds is not None:
+        raise ValueError(f"{arguments.matches}: has noise bounds, and so has --noise-bound")
+    result = gmcr.register_correspondences(source, target, options)
     print(result.to_json(options, indent=2))
     return 0 if result.status == "ok" else 1
-
-
-def _read_matches(path: Path) -> npt.NDArray[np.float64]:
-    if path.suffix == ".npy":
-        matches = np.load(path, allow_pickle=False)
-    else:
-        lines = path.read_text().splitlines()
-        has_header = bool(lines) and any(letter.isalpha() for letter in lines[0].replace("e", ""))
-        matches = np.loadtxt(lines[has_header:], delimiter=",", ndmin=2)
-    if matches.ndim != 2 or matches.shape[1] != 6:
-        raise ValueError(f"{path}: expected 6 columns, but the shape is {matches.shape}")
-    return np.asarray(matches, dtype=np.float64)
 
 
 if __name__ == "__main__":

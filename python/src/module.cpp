@@ -28,4 +28,5 @@ NB_MODULE(_gmcr, module) {
   python::bind_clouds(module);
   python::bind_cliques(module);
   python::bind_synthetic(module);
+  python::bind_files(module);
 }

@@ -1,153 +1,182 @@
-#include <charconv>
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "gmcr/io.hpp"
-#include "io/bytes.hpp"
-#include "io/checks.hpp"
+#include "io/cloud_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/open3d_cloud.hpp"
-#include "io/table.hpp"
+#include "io/pcd.hpp"
+#include "io/ply.hpp"
 #include "io/text.hpp"
 
 namespace gmcr {
+namespace io {
 namespace {
 
-constexpr std::string_view kReadable = ".ply, .pcd, .xyz, .pts, .csv, .npy, .bin, .pcd.bin";
-constexpr std::string_view kWritable = ".ply, .pcd, .xyz, .csv, .npy";
+/// Faces that use fewer of the vertices leave a cloud a cloud.
+constexpr double kLeastShareOfCorners = 0.5;
 
-std::vector<std::size_t> choose_csv_columns(const io::TableShape& shape) {
-  const auto columns = io::find_columns(shape.names, {"x", "y", "z"});
-  if (!columns.empty()) return columns;
-  if (shape.num_columns != 3) {
-    throw std::invalid_argument(std::to_string(shape.num_columns) +
-                                " columns, expected 3 or a header that names x, y and z");
+CloudFile file_of(PlyFile&& ply) {
+  CloudFile file;
+  file.points = columns_of(ply.vertices, find_coordinates(ply.vertices.fields));
+  file.records = std::move(ply.vertices);
+  file.triangles = std::move(ply.triangles);
+  if (ply.bytes_left > 0) {
+    file.notes.push_back(std::to_string(ply.bytes_left) +
+                         " bytes behind the last element of the header are left out");
   }
-  return {0, 1, 2};
+  return file;
 }
 
-std::vector<std::size_t> choose_first_columns(const io::TableShape& shape) {
-  if (!shape.names.empty()) throw std::invalid_argument("no row of numbers");
-  if (shape.num_columns < 3) throw std::invalid_argument("fewer than 3 columns");
-  return {0, 1, 2};
+CloudFile file_of(Records&& records) {
+  CloudFile file;
+  file.points = columns_of(records, find_coordinates(records.fields));
+  file.records = std::move(records);
+  return file;
 }
 
-/// .pts: a line with the number of points, then their rows. Open3D would skip the rows it cannot
-/// read.
-Points parse_pts(const std::filesystem::path& path, std::string_view text) {
-  io::LineReader reader(text);
-  const auto count = io::parse_index(io::trim(reader.next().value_or("")));
-  if (!count || *count < 0) throw IoError(path, 1, "expected the number of points");
-  if (*count == 0) return {};
-  Points points = io::parse_table(path, text, choose_first_columns, 1).values;
-  if (points.cols() != *count) {
-    throw IoError(
-        path, 0,
-        std::to_string(points.cols()) + " points, the first line says " + std::to_string(*count));
+CloudFile file_of(Mesh&& mesh) {
+  CloudFile file;
+  file.points = std::move(mesh.vertices);
+  file.triangles = std::move(mesh.triangles);
+  return file;
+}
+
+CloudFile parse(const std::filesystem::path& path, const std::string& extension,
+                std::string_view bytes, const CloudOptions& options) {
+  if (extension == ".ply") return file_of(parse_ply(path, bytes));
+  if (extension == ".pcd") return file_of(parse_pcd(path, bytes));
+  if (is_text_table(extension)) return parse_text_cloud(path, bytes, extension == ".csv");
+  if (extension == ".npy") return file_of(Mesh{parse_npy(path, bytes, {3}), {}});
+  if (extension == ".obj") return file_of(parse_obj(path, bytes));
+  if (extension == ".off") return file_of(parse_off(path, bytes));
+  if (extension == ".stl") return file_of(parse_stl(path, bytes));
+  if (extension == ".pcd.bin") return parse_binary_scan(path, bytes, 5);
+  if (options.bin_columns > 0) return parse_binary_scan(path, bytes, options.bin_columns);
+  return parse_unknown_scan(path, bytes);
+}
+
+void check(const CloudOptions& options) {
+  const auto refuse = [](const char* name, Index value, const char* rule) {
+    throw std::invalid_argument(std::string(name) + ": " + std::to_string(value) + " is not " +
+                                rule);
+  };
+  if (options.mesh_points < 0) refuse("mesh_points", options.mesh_points, "at least 0");
+  if (options.bin_columns != 0 && options.bin_columns < 3) {
+    refuse("bin_columns", options.bin_columns, "0 or at least 3");
   }
-  return points;
 }
 
-/// Rows of float32 whose first three are the coordinates.
-Points parse_binary(const std::filesystem::path& path, std::string_view bytes, Index num_columns) {
-  const auto row_bytes = static_cast<std::size_t>(num_columns) * sizeof(float);
-  if (bytes.size() % row_bytes != 0) {
+/// How many of the points are one and the same, if it may be most of them (the vote of Boyer and
+/// Moore); else fewer than half.
+Index most_repeats(const Points& points) {
+  Index candidate = 0;
+  Index votes = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (votes == 0) candidate = i;
+    votes += points.col(i) == points.col(candidate) ? 1 : -1;
+  }
+  Index count = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    count += points.col(i) == points.col(candidate) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Leaves the rows that are points, and says what the others were.
+Cloud cloud_of(const std::filesystem::path& path, const PointsRef& points, bool is_organised,
+               std::vector<std::string> notes) {
+  if (points.cols() == 0) throw IoError(path, 0, "no finite point: no points at all");
+  const ValidRows valid = valid_rows(points, is_organised);
+  if (valid.indices.empty()) {
     throw IoError(path, 0,
-                  "truncated: " + std::to_string(bytes.size()) + " bytes are no multiple of " +
-                      std::to_string(row_bytes) + " (" + std::to_string(num_columns) +
-                      " float32 a point)");
+                  "no finite point among " + std::to_string(points.cols()) +
+                      (valid.num_zeros > 0 ? " that is not (0, 0, 0)" : ""));
   }
-  Points points(3, static_cast<Index>(bytes.size() / row_bytes));
-  for (Index i = 0; i < points.cols(); ++i) {
-    const char* row = bytes.data() + static_cast<std::size_t>(i) * row_bytes;
-    for (Index j = 0; j < 3; ++j) points(j, i) = io::load<float>(row + 4 * j);
+  if (valid.num_not_finite > 0) {
+    notes.push_back("dropped " + std::to_string(valid.num_not_finite) +
+                    " points that are not finite");
   }
-  return points;
+  if (valid.num_zeros > 0) {
+    notes.push_back("dropped " + std::to_string(valid.num_zeros) +
+                    " points at (0, 0, 0), which mark no return");
+  }
+  Points kept = points(Eigen::all, valid.indices);
+  const Index repeats = most_repeats(kept);
+  if (repeats > 1 && 2 * repeats > kept.cols()) {
+    notes.push_back(std::to_string(repeats) + " of " + std::to_string(kept.cols()) +
+                    " points are one and the same");
+  }
+  return {std::move(kept), valid.num_not_finite + valid.num_zeros, std::move(notes)};
 }
 
-Points parse_cloud(const std::filesystem::path& path, const std::string& extension,
-                   std::string_view bytes) {
-  if (extension == ".ply") {
-    const Index num_points = io::check_ply(path, bytes);
-    return num_points == 0 ? Points() : io::read_with_open3d(path, num_points);
+/// Points on the surface of a mesh.
+Cloud sample(const std::filesystem::path& path, CloudFile& file, Index num_points) {
+  const Mesh mesh{std::move(file.points), std::move(file.triangles)};
+  Points points = sample_surface(mesh, num_points);
+  if (points.cols() == 0) {
+    file.notes.push_back("a mesh of no area: its vertices are taken");
+    return cloud_of(path, mesh.vertices, false, std::move(file.notes));
   }
-  if (extension == ".pcd") return io::parse_pcd(path, bytes);
-  if (extension == ".xyz") return io::parse_table(path, bytes, choose_first_columns).values;
-  if (extension == ".pts") return parse_pts(path, bytes);
-  if (extension == ".csv") return io::parse_table(path, bytes, choose_csv_columns).values;
-  if (extension == ".npy") return io::parse_npy(path, bytes, {3});
-  return parse_binary(path, bytes, extension == ".bin" ? 4 : 5);
-}
-
-bool is_readable(const std::string& extension) {
-  for (const char* known : {".ply", ".pcd", ".xyz", ".pts", ".csv", ".npy", ".bin", ".pcd.bin"}) {
-    if (extension == known) return true;
-  }
-  return false;
-}
-
-Cloud drop_non_finite(const std::filesystem::path& path, Points points) {
-  if (points.cols() == 0) throw IoError(path, 0, "no points");
-  Index kept = 0;
-  for (Index i = 0; i < points.cols(); ++i) {
-    if (points.col(i).allFinite()) points.col(kept++) = points.col(i);
-  }
-  const Index num_dropped = points.cols() - kept;
-  if (kept == 0) {
-    throw IoError(path, 0, "no finite point among " + std::to_string(points.cols()));
-  }
-  points.conservativeResize(3, kept);
-  return {std::move(points), num_dropped};
-}
-
-std::string ply_header(Index num_points) {
-  return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(num_points) +
-         "\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
-}
-
-std::string pcd_header(Index num_points) {
-  const std::string count = std::to_string(num_points);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\n"
-         "TYPE F F F\nCOUNT 1 1 1\nWIDTH " +
-         count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
-}
-
-template <typename Number>
-std::string with_coordinates(std::string bytes, const PointsRef& points) {
-  for (Index i = 0; i < points.cols(); ++i) {
-    for (Index j = 0; j < 3; ++j) io::append_bytes(bytes, static_cast<Number>(points(j, i)));
-  }
-  return bytes;
+  file.notes.push_back("a mesh of " + std::to_string(mesh.triangles.size()) +
+                       " triangles: " + std::to_string(num_points) +
+                       " points are spread over its surface (mesh_points 0 takes the vertices)");
+  return {std::move(points), 0, std::move(file.notes)};
 }
 
 }  // namespace
 
-Cloud read_cloud(const std::filesystem::path& path) {
-  const std::string extension = io::extension_of(path);
-  if (!is_readable(extension)) {
-    throw IoError(path, 0, io::unknown_extension(extension, kReadable));
+CloudFile read_cloud_file(const std::filesystem::path& path, const CloudOptions& options) {
+  check(options);
+  const std::string extension = extension_of(path);
+  const std::vector<std::string> known = cloud_extensions();
+  if (std::find(known.begin(), known.end(), extension) == known.end()) {
+    throw IoError(path, 0, unknown_extension(extension, known));
   }
-  return drop_non_finite(path, parse_cloud(path, extension, io::read_file(path)));
+  CloudFile file = parse(path, extension, read_file(path), options);
+  if (file.triangles.empty()) return file;
+  const double share = share_of_corners({file.points, file.triangles});
+  if (share < kLeastShareOfCorners) {
+    file.notes.push_back("its faces use " +
+                         std::to_string(static_cast<int>(std::lround(100 * share))) +
+                         " % of the points: taken as a cloud, without them");
+    file.triangles.clear();
+  }
+  return file;
 }
 
-void write_cloud(const std::filesystem::path& path, const PointsRef& points) {
-  const std::string extension = io::extension_of(path);
-  const Index count = points.cols();
-  std::string bytes;
-  if (extension == ".ply") {
-    bytes = with_coordinates<double>(ply_header(count), points);
-  } else if (extension == ".pcd") {
-    bytes = with_coordinates<float>(pcd_header(count), points);
-  } else if (extension == ".xyz") {
-    bytes = io::format_rows(points, ' ', "");
-  } else if (extension == ".csv") {
-    bytes = io::format_rows(points, ',', "x,y,z\n");
-  } else if (extension == ".npy") {
-    bytes = io::format_npy(points);
-  } else {
-    throw IoError(path, 0, io::unknown_extension(extension, kWritable));
+ValidRows valid_rows(const PointsRef& points, bool is_organised) {
+  ValidRows valid;
+  const auto is_zero = [&](Index i) { return (points.col(i).array() == 0).all(); };
+  for (Index i = 0; i < points.cols(); ++i) valid.num_zeros += is_zero(i) ? 1 : 0;
+  constexpr Index kFewZeros = 10;
+  const bool marks = is_organised || valid.num_zeros > kFewZeros;
+  if (!marks) valid.num_zeros = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (!points.col(i).allFinite()) {
+      ++valid.num_not_finite;
+    } else if (!marks || !is_zero(i)) {
+      valid.indices.push_back(i);
+    }
   }
-  io::write_file(path, bytes);
+  return valid;
+}
+
+}  // namespace io
+
+std::vector<std::string> cloud_extensions() {
+  return {".ply", ".pcd", ".xyz", ".xyzn",    ".xyzrgb", ".txt", ".asc", ".pts",
+          ".csv", ".npy", ".bin", ".pcd.bin", ".obj",    ".off", ".stl"};
+}
+
+Cloud read_cloud(const std::filesystem::path& path, const CloudOptions& options) {
+  io::CloudFile file = io::read_cloud_file(path, options);
+  if (!file.triangles.empty() && options.mesh_points > 0) {
+    return io::sample(path, file, options.mesh_points);
+  }
+  if (!file.triangles.empty()) file.notes.push_back("a mesh: its vertices are taken");
+  return io::cloud_of(path, file.points, file.records.height > 1, std::move(file.notes));
 }
 
 }  // namespace gmcr

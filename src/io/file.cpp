@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gmcr/io.hpp"
+#include "io/new_file.hpp"
 #include "io/text.hpp"
 
 namespace gmcr::io {
@@ -16,9 +17,9 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-File open(const std::filesystem::path& path, const char* mode) {
+File open(const std::filesystem::path& path) {
   errno = 0;
-  File file(std::fopen(path.c_str(), mode));
+  File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw IoError(path, 0, std::strerror(errno));
   return file;
 }
@@ -28,10 +29,11 @@ File open(const std::filesystem::path& path, const char* mode) {
 std::string read_file(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw IoError(path, 0, "is a directory");
-  const File file = open(path, "rb");
+  const File file = open(path);
   std::string content;
   const auto size = std::filesystem::file_size(path, ignored);
   if (!ignored) content.reserve(size);
+  errno = 0;
   std::string chunk(std::size_t{1} << 16, '\0');
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
     content.append(chunk, 0, count);
@@ -42,11 +44,9 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {
-  File file = open(path, "wb");
-  const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
-  // the close flushes what is buffered, so it can be what fails
-  const bool closed = std::fclose(file.release()) == 0;
-  if (written != content.size() || !closed) throw IoError(path, 0, std::strerror(errno));
+  NewFile file(path);
+  file.write(content);
+  file.commit();
 }
 
 std::string extension_of(const std::filesystem::path& path) {
@@ -55,10 +55,12 @@ std::string extension_of(const std::filesystem::path& path) {
   return std::filesystem::path(name).extension().string();
 }
 
-std::string unknown_extension(const std::string& extension, std::string_view known) {
+std::string unknown_extension(const std::string& extension, const std::vector<std::string>& known) {
   const std::string what =
       extension.empty() ? "no extension" : "unknown extension '" + extension + "'";
-  return what + " (known: " + std::string(known) + ")";
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  return what + " (known: " + list + ")";
 }
 
 }  // namespace gmcr::io

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gmcr::io {
 
@@ -10,7 +11,7 @@ namespace gmcr::io {
 /// @throws IoError where it is missing, a directory, unreadable or empty.
 std::string read_file(const std::filesystem::path& path);
 
-/// Replaces the file by `content`.
+/// Replaces the file by `content`, whole or not at all (`NewFile`).
 /// @throws IoError where that fails, also at the last byte (a full disk).
 void write_file(const std::filesystem::path& path, std::string_view content);
 
@@ -18,6 +19,6 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 std::string extension_of(const std::filesystem::path& path);
 
 /// "unknown extension '.foo' (known: ...)", or "no extension (known: ...)".
-std::string unknown_extension(const std::string& extension, std::string_view known);
+std::string unknown_extension(const std::string& extension, const std::vector<std::string>& known);
 
 }  // namespace gmcr::io

@@ -153,7 +153,7 @@ BitsetGraph read_graph(const std::filesystem::path& path, std::size_t memory_lim
   const std::string extension = io::extension_of(path);
   const bool is_dimacs = extension == ".clq" || extension == ".col";
   if (!is_dimacs && extension != ".mtx") {
-    throw IoError(path, 0, io::unknown_extension(extension, ".clq, .col, .mtx"));
+    throw IoError(path, 0, io::unknown_extension(extension, {".clq", ".col", ".mtx"}));
   }
   const std::string text = io::read_file(path);
   GraphFile file(path, text, memory_limit);

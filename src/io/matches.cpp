@@ -14,19 +14,23 @@
 namespace gmcr {
 namespace {
 
-constexpr std::string_view kKnownExtensions = ".csv, .npy";
+const std::vector<std::string> kKnownExtensions = {".csv", ".txt", ".npy"};
 constexpr Index kNumColumns = 6;
 constexpr Index kNumColumnsWithBound = 7;
 constexpr std::string_view kWrittenHeader = "ax,ay,az,bx,by,bz";
 constexpr std::string_view kWrittenBoundName = ",noise_bound";
 
-const std::array<std::vector<std::string>, 4> kKnownNames = {{
+const std::array<std::vector<std::string>, 5> kKnownNames = {{
     {"ax", "ay", "az", "bx", "by", "bz"},
     {"sx", "sy", "sz", "tx", "ty", "tz"},
+    {"x1", "y1", "z1", "x2", "y2", "z2"},
     {"source_x", "source_y", "source_z", "target_x", "target_y", "target_z"},
     {"src_x", "src_y", "src_z", "dst_x", "dst_y", "dst_z"},
 }};
 const std::array<std::string, 3> kBoundNames = {"noise_bound", "bound", "beta"};
+/// What a column beside the end points may be called that says how good a match is, in no unit.
+const std::array<std::string, 8> kScoreNames = {
+    "score", "scores", "weight", "weights", "confidence", "similarity", "probability", "ratio"};
 
 /// The column of the noise bounds that a header names.
 std::optional<std::size_t> find_bound(const std::vector<std::string>& names) {
@@ -37,12 +41,24 @@ std::optional<std::size_t> find_bound(const std::vector<std::string>& names) {
   return std::nullopt;
 }
 
-/// The columns of the end points, without names: all but the bound.
+std::string shown(double value) {
+  std::string text;
+  io::append_number(text, value);
+  return text;
+}
+
+bool is_score(const std::string& name) {
+  return std::find(kScoreNames.begin(), kScoreNames.end(), name) != kScoreNames.end();
+}
+
+/// The columns of the end points, without names that say so: all but the bound and scores.
 std::vector<std::size_t> columns_in_order(const io::TableShape& shape,
                                           const std::optional<std::size_t>& bound) {
-  std::vector<std::size_t> columns(shape.num_columns);
-  std::iota(columns.begin(), columns.end(), 0);
-  if (bound) columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(*bound));
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < shape.num_columns; ++i) {
+    const bool is_other = bound == i || (!shape.names.empty() && is_score(shape.names[i]));
+    if (!is_other) columns.push_back(i);
+  }
   if (columns.size() != kNumColumns) {
     throw std::invalid_argument(
         std::to_string(shape.num_columns) +
@@ -52,10 +68,34 @@ std::vector<std::size_t> columns_in_order(const io::TableShape& shape,
   return columns;
 }
 
+/// A sentence about columns that are not used, or none.
+std::string ignored_columns(const io::TableShape& shape, const std::vector<std::size_t>& used) {
+  std::string text;
+  for (std::size_t i = 0; i < shape.names.size(); ++i) {
+    if (std::find(used.begin(), used.end(), i) != used.end()) continue;
+    text += (text.empty() ? "" : ", ") + io::quoted(shape.names[i]);
+  }
+  return text.empty() ? "" : "not used: column " + text;
+}
+
+void refuse_index_column(const io::TableShape& shape) {
+  constexpr std::size_t kFewRows = 4;
+  if (shape.num_rows < kFewRows || !shape.columns[0].is_integer || !shape.columns[0].counts_rows) {
+    return;
+  }
+  throw std::invalid_argument(
+      "the first of " + std::to_string(shape.num_columns) +
+      " columns counts the rows, so the others may be shifted: put a header before them, such as "
+      "index,ax,ay,az,bx,by,bz");
+}
+
 /// The columns of the end points, then that of the bound where there is one.
-std::vector<std::size_t> choose_columns(const io::TableShape& shape) {
+io::ColumnChoice choose_columns(const io::TableShape& shape) {
   std::optional<std::size_t> bound = find_bound(shape.names);
-  if (shape.names.empty() && shape.num_columns == kNumColumnsWithBound) bound = kNumColumns;
+  if (shape.names.empty() && shape.num_columns == kNumColumnsWithBound) {
+    refuse_index_column(shape);
+    bound = kNumColumns;
+  }
   std::vector<std::size_t> columns;
   for (const auto& names : kKnownNames) {
     columns = io::find_columns(shape.names, names);
@@ -63,27 +103,72 @@ std::vector<std::size_t> choose_columns(const io::TableShape& shape) {
   }
   if (columns.empty()) columns = columns_in_order(shape, bound);
   if (bound) columns.push_back(*bound);
-  return columns;
+  return {columns, ignored_columns(shape, columns)};
+}
+
+void check_extension(const std::filesystem::path& path) {
+  const std::string extension = io::extension_of(path);
+  const auto& known = kKnownExtensions;
+  if (std::find(known.begin(), known.end(), extension) != known.end()) return;
+  throw IoError(path, 0, io::unknown_extension(extension, kKnownExtensions));
 }
 
 /// The rows of the file as columns, and the line of each where it has lines.
-io::Table read_rows(const std::filesystem::path& path) {
+struct Rows {
+  io::Table table;
+  bool has_unnamed_bounds = false;
+};
+
+Rows read_rows(const std::filesystem::path& path) {
   const std::string extension = io::extension_of(path);
-  if (extension != ".csv" && extension != ".npy") {
-    throw IoError(path, 0, io::unknown_extension(extension, kKnownExtensions));
-  }
+  const bool is_text = extension == ".csv" || extension == ".txt";
+  check_extension(path);
   const std::string bytes = io::read_file(path);
-  if (extension == ".csv") return io::parse_table(path, bytes, choose_columns);
-  return {io::parse_npy(path, bytes, {kNumColumns, kNumColumnsWithBound}), {}};
+  if (!is_text) {
+    Rows rows{{io::parse_npy(path, bytes, {kNumColumns, kNumColumnsWithBound}), {}, {}}, false};
+    rows.has_unnamed_bounds = rows.table.values.rows() == kNumColumnsWithBound;
+    return rows;
+  }
+  bool is_unnamed = false;
+  const auto choose = [&is_unnamed](const io::TableShape& shape) {
+    is_unnamed = shape.names.empty() && shape.num_columns == kNumColumnsWithBound;
+    return choose_columns(shape);
+  };
+  Rows rows{io::parse_table(path, bytes, choose), false};
+  rows.has_unnamed_bounds = is_unnamed;
+  return rows;
+}
+
+double extent_of(const Eigen::Ref<const Eigen::MatrixXd>& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
+/// A last column without a name is metres only where it cannot be a score.
+/// A text may come from anywhere, so bounds that are large for the cloud are doubted there too.
+void check_unnamed_bounds(const std::filesystem::path& path, io::Table& table) {
+  constexpr Index kFewRows = 10;  // which tell nothing
+  constexpr double kLikelyScore = 0.5;
+  constexpr double kLargestShareOfExtent = 0.1;
+  if (table.values.cols() == 0) return;
+  const auto bounds = table.values.row(kNumColumns);
+  const double low = bounds.minCoeff();
+  const double high = bounds.maxCoeff();
+  const double extent =
+      std::max(extent_of(table.values.topRows<3>()), extent_of(table.values.middleRows<3>(3)));
+  const bool is_text = !table.lines.empty();
+  const bool may_be_score = (low >= 0 && high <= 1 && high > kLikelyScore) ||
+                            (is_text && high > kLargestShareOfExtent * extent);
+  if (may_be_score && table.values.cols() >= kFewRows) {
+    throw IoError(path, 0,
+                  "the 7th column has no name and goes from " + shown(low) + " to " + shown(high) +
+                      ": noise bounds in metres, or scores? Name it in a header, "
+                      "ax,ay,az,bx,by,bz,noise_bound or ...,score, or leave it out");
+  }
+  table.notes.push_back("the 7th column, " + shown(low) + " to " + shown(high) +
+                        ", is taken for noise bounds in metres");
 }
 
 bool is_bound(double value) { return value > 0 && std::isfinite(value); }
-
-std::string shown(double value) {
-  std::string text;
-  io::append_number(text, value);
-  return text;
-}
 
 /// What is wrong with a row; empty: nothing.
 std::string fault_of(const Eigen::Ref<const Eigen::VectorXd>& row) {
@@ -113,14 +198,17 @@ void check_sizes(const PointsRef& source, const PointsRef& target,
 }  // namespace
 
 Matches read_matches(const std::filesystem::path& path) {
-  const io::Table rows = read_rows(path);
+  Rows read = read_rows(path);
+  io::Table& rows = read.table;
   for (Index i = 0; i < rows.values.cols(); ++i) {
     const std::string fault = fault_of(rows.values.col(i));
     if (fault.empty()) continue;
     const std::size_t line = rows.lines.empty() ? 0 : rows.lines[static_cast<std::size_t>(i)];
     throw IoError(path, line, "row " + std::to_string(i) + " (from 0): " + fault);
   }
-  Matches matches{rows.values.topRows<3>(), rows.values.middleRows<3>(3), {}};
+  if (read.has_unnamed_bounds) check_unnamed_bounds(path, rows);
+  Matches matches{
+      rows.values.topRows<3>(), rows.values.middleRows<3>(3), {}, std::move(rows.notes)};
   if (rows.values.rows() == kNumColumnsWithBound) {
     const Eigen::VectorXd bounds = rows.values.row(kNumColumns);
     matches.noise_bounds.assign(bounds.begin(), bounds.end());
@@ -140,12 +228,15 @@ void write_matches(const std::filesystem::path& path, const PointsRef& source,
   }
   const std::string extension = io::extension_of(path);
   if (extension == ".npy") return io::write_file(path, io::format_npy(rows));
-  if (extension != ".csv") {
-    throw IoError(path, 0, io::unknown_extension(extension, kKnownExtensions));
-  }
+  check_extension(path);
   std::string header(kWrittenHeader);
   if (has_bounds) header += kWrittenBoundName;
   io::write_file(path, io::format_rows(rows, ',', header + "\n"));
+}
+
+void check_matches_output(const std::filesystem::path& path) {
+  check_extension(path);
+  check_output(path);
 }
 
 }  // namespace gmcr

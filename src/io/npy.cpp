@@ -7,6 +7,7 @@
 
 #include "gmcr/io.hpp"
 #include "io/bytes.hpp"
+#include "io/records.hpp"
 #include "io/text.hpp"
 
 namespace gmcr::io {
@@ -143,15 +144,39 @@ Parts split(const std::filesystem::path& path, std::string_view bytes) {
   return {bytes.substr(start, length), bytes.substr(start + length)};
 }
 
-template <typename Number>
-Eigen::MatrixXd load_matrix(std::string_view data, const Header& header) {
+/// Type and byte order of a 'descr'.
+struct ElementType {
+  Scalar type;
+  std::endian order;
+};
+
+std::optional<ElementType> element_type_of(std::string_view descr) {
+  constexpr std::pair<std::string_view, Scalar> kKnown[] = {
+      {"f4", Scalar::Float32}, {"f8", Scalar::Float64}, {"i1", Scalar::Int8},
+      {"u1", Scalar::UInt8},   {"i2", Scalar::Int16},   {"u2", Scalar::UInt16},
+      {"i4", Scalar::Int32},   {"u4", Scalar::UInt32},  {"i8", Scalar::Int64},
+      {"u8", Scalar::UInt64}};
+  if (descr.empty()) return std::nullopt;
+  const char order = descr.front();
+  if (order != '<' && order != '>' && order != '|') return std::nullopt;
+  for (const auto& [name, type] : kKnown) {
+    if (descr.substr(1) != name) continue;
+    if (order == '|' && size_of(type) != 1) return std::nullopt;
+    return ElementType{type, order == '>' ? std::endian::big : std::endian::little};
+  }
+  return std::nullopt;
+}
+
+Eigen::MatrixXd load_matrix(std::string_view data, const Header& header,
+                            const ElementType& element) {
   const Index rows = header.shape[0];
   const Index columns = header.shape[1];
+  const auto size = static_cast<Index>(size_of(element.type));
   Eigen::MatrixXd values(columns, rows);
   for (Index i = 0; i < rows; ++i) {
     for (Index j = 0; j < columns; ++j) {
       const Index at = header.fortran_order ? j * rows + i : i * columns + j;
-      values(j, i) = load<Number>(data.data() + at * static_cast<Index>(sizeof(Number)));
+      values(j, i) = load_scalar(data.data() + at * size, element.type, element.order);
     }
   }
   return values;
@@ -164,16 +189,19 @@ Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view by
   const Parts parts = split(path, bytes);
   const auto header = HeaderParser(parts.header).parse();
   if (!header) throw IoError(path, 0, "malformed .npy header");
-  if (header->descr != "<f4" && header->descr != "<f8") {
-    throw IoError(path, 0, "dtype '" + header->descr + "', expected '<f4' or '<f8'");
+  const auto element = element_type_of(header->descr);
+  if (!element) {
+    throw IoError(path, 0,
+                  "dtype '" + header->descr +
+                      "' is not an array of numbers: expected '<f8', "
+                      "'<f4' or integers");
   }
   if (header->shape.size() != 2 ||
       std::find(num_columns.begin(), num_columns.end(), header->shape[1]) == num_columns.end()) {
     throw IoError(path, 0,
                   "shape " + shown(header->shape) + ", expected " + shapes_of(num_columns));
   }
-  const std::size_t row_bytes =
-      static_cast<std::size_t>(header->shape[1]) * (header->descr == "<f4" ? 4 : 8);
+  const std::size_t row_bytes = static_cast<std::size_t>(header->shape[1]) * size_of(element->type);
   const auto rows = static_cast<std::size_t>(header->shape[0]);
   // the division keeps a lying row count from overflowing
   if (rows != parts.data.size() / row_bytes || parts.data.size() % row_bytes != 0) {
@@ -181,8 +209,7 @@ Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view by
                   "shape " + shown(header->shape) + " does not fit the " +
                       std::to_string(parts.data.size()) + " bytes of data");
   }
-  return header->descr == "<f4" ? load_matrix<float>(parts.data, *header)
-                                : load_matrix<double>(parts.data, *header);
+  return load_matrix(parts.data, *header, *element);
 }
 
 std::string format_npy(const Eigen::Ref<const Eigen::MatrixXd>& values) {

@@ -12,8 +12,8 @@ namespace gmcr::io {
 
 /// The transpose of an .npy array of shape (N, W), W one of `num_columns`: W x N, so that one row
 /// of the file is one column.
-/// @throws IoError unless it is a little-endian float32 or float64 array of that shape, complete
-///   and with nothing behind it.
+/// @throws IoError unless it is an array of that shape of float32, float64 or integers, in any byte
+///   order, complete and with nothing behind it.
 Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view bytes,
                           const std::vector<Index>& num_columns);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gmcr/types.hpp"
+#include "io/table_layout.hpp"
 
 namespace gmcr::io {
 
@@ -15,26 +16,24 @@ namespace gmcr::io {
 struct Table {
   Eigen::MatrixXd values;          ///< chosen column x row, so that a row of the file is contiguous
   std::vector<std::size_t> lines;  ///< line of the file of each row
+  std::vector<std::string> notes;  ///< what had to be decided, as sentences
 };
 
-/// What the first line of a table says.
-struct TableShape {
-  std::vector<std::string>
-      names;  ///< of the header, in lower case, without quotes; empty: no header
-  std::size_t num_columns = 0;
+/// Columns by index, and a sentence where they had to be guessed.
+struct ColumnChoice {
+  std::vector<std::size_t> indices;
+  std::string note;
 };
 
-/// Picks columns by index; may throw std::invalid_argument with a reason.
-using ColumnChooser = std::function<std::vector<std::size_t>(const TableShape&)>;
+/// Picks columns; may throw std::invalid_argument with a reason.
+using ColumnChooser = std::function<ColumnChoice(const TableShape&)>;
 
-/// Parses rows of cells, separated by `;` if the first row holds one, else by `,` if it holds one,
-/// else by white space. Blank lines and lines that start with `#` or `//` are skipped. The first
-/// row is a header if none of its cells is a number.
-/// @param lines_to_skip  lines at the start of the text to leave out.
+/// Parses rows of cells as `find_layout` finds them.
 /// @throws IoError with the line where a row has another number of cells than the first, or where a
-///   chosen cell is no number; where the chooser throws; where there is neither header nor row.
+///   chosen cell is no number; where the chooser throws; where there is neither header nor row;
+///   where the number of rows contradicts a count; where the last line is cut.
 Table parse_table(const std::filesystem::path& path, std::string_view text,
-                  const ColumnChooser& choose, std::size_t lines_to_skip = 0);
+                  const ColumnChooser& choose, const TableRules& rules = {});
 
 /// `header`, then the columns of `values` as lines of cells between separators, at full precision.
 std::string format_rows(const Eigen::Ref<const Eigen::MatrixXd>& values, char separator,

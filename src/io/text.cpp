@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
+#include <string>
 
 namespace gmcr::io {
 namespace {
@@ -23,11 +25,13 @@ std::optional<Number> parse_number(std::string_view text) {
 
 LineReader::LineReader(std::string_view text) : text_(text) {
   if (text.starts_with("\xEF\xBB\xBF")) offset_ = 3;
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end != std::string_view::npos && !text.substr(end).starts_with("\r\n")) end_ = text[end];
 }
 
 std::optional<std::string_view> LineReader::next() {
   if (offset_ >= text_.size()) return std::nullopt;
-  const std::size_t end = std::min(text_.find('\n', offset_), text_.size());
+  const std::size_t end = std::min(text_.find(end_, offset_), text_.size());
   std::string_view line = text_.substr(offset_, end - offset_);
   if (line.ends_with('\r')) line.remove_suffix(1);
   offset_ = std::min(end + 1, text_.size());
@@ -62,6 +66,27 @@ std::vector<std::string_view> split_cells(std::string_view line, char separator)
 }
 
 std::optional<double> parse_double(std::string_view text) { return parse_number<double>(text); }
+
+std::optional<double> parse_cell(std::string_view text, char decimal) {
+  if (decimal == '.') {
+    if (const auto value = parse_double(text)) return value;
+  }
+  const std::size_t mark = text.find("#");
+  if (mark != std::string_view::npos) {  // 1.#INF, 1.#QNAN, -1.#IND00
+    if (text.substr(0, mark) != "1." && text.substr(0, mark) != "-1.") return std::nullopt;
+    const bool is_infinite = text.substr(mark).starts_with("#INF");
+    const double size = is_infinite ? std::numeric_limits<double>::infinity()
+                                    : std::numeric_limits<double>::quiet_NaN();
+    return text.starts_with('-') ? -size : size;
+  }
+  std::string usual(text);
+  for (char& c : usual) {
+    if (decimal != '.' && c == '.') return std::nullopt;
+    if (c == decimal) c = '.';
+    if (c == 'D' || c == 'd') c = 'e';
+  }
+  return parse_double(usual);
+}
 
 std::optional<Index> parse_index(std::string_view text) { return parse_number<Index>(text); }
 

@@ -10,7 +10,8 @@
 
 namespace gmcr::io {
 
-/// The lines of a text, without their ends (\n or \r\n), counted from 1.
+/// The lines of a text, without their ends (\n or \r\n, or \r where the first line ends so),
+/// counted from 1.
 class LineReader {
  public:
   /// Skips a UTF-8 byte order mark.
@@ -29,6 +30,7 @@ class LineReader {
   std::string_view text_;
   std::size_t offset_ = 0;
   std::size_t line_ = 0;
+  char end_ = '\n';
 };
 
 std::string_view trim(std::string_view text);
@@ -42,6 +44,10 @@ std::vector<std::string_view> split_cells(std::string_view line, char separator)
 /// The whole of `text` as a number, whatever the locale; "nan" and "inf" are numbers, a leading '+'
 /// is allowed. A number that a double cannot hold is none.
 std::optional<double> parse_double(std::string_view text);
+
+/// As `parse_double`, and as other tools write numbers: Fortran's exponents (1.5D+00), the
+/// infinities and NaN of old C libraries (1.#INF, -1.#IND), and, with `decimal` ',', 1,5.
+std::optional<double> parse_cell(std::string_view text, char decimal = '.');
 
 /// The whole of `text` as a decimal integer.
 std::optional<Index> parse_index(std::string_view text);

@@ -76,6 +76,49 @@ TEST(ReadMatches, FindsTheNoiseBoundOfEachCorrespondence) {
   }
 }
 
+TEST(ReadMatches, TakesASeventhColumnWithoutANameForBoundsOnlyWhereItIsNoScore) {
+  const TemporaryFolder folder;
+  const Matches bounds =
+      read_matches(folder.write("a.csv", "1,2,3,4,5,6,0.2\n9,20,30,4,5,60,0.1\n"));
+  EXPECT_EQ(bounds.noise_bounds, (std::vector<double>{0.2, 0.1}));
+  EXPECT_EQ(bounds.notes, std::vector<std::string>{
+                              "the 7th column, 0.1 to 0.2, is taken for noise bounds in metres"});
+  std::string scores, weights;
+  for (int i = 0; i < 10; ++i) {
+    const std::string row = std::to_string(i * i) + ",2," + std::to_string(i) + ",4,5,6,";
+    scores += row + "0." + std::to_string(70 - i) + "\n";
+    weights += row + std::to_string(90 - i) + "\n";
+  }
+  expect_error(folder.write("b.csv", scores), 0,
+               "has no name and goes from 0.61 to 0.7: noise bounds in metres, or scores?");
+  expect_error(folder.write("c.csv", weights), 0, "or scores?");
+  const Points points = Points::Random(3, 10);
+  const std::vector<double> confidences{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
+  write_matches(folder / "d.npy", points, points, confidences);
+  expect_error(folder / "d.npy", 0, "or scores?");
+}
+
+TEST(ReadMatches, LeavesScoresOutAndSaysSo) {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {"x1,y1,z1,x2,y2,z2,score\n1,2,3,4,5,6,0.7\n", "ax,ay,az,bx,by,bz,Weight\n1,2,3,4,5,6,0.7\n",
+        "u,v,w,p,q,r,confidence\n1,2,3,4,5,6,0.7\n"}) {
+    const Matches matches = read_matches(folder.write("a.csv", text));
+    EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << text;
+    EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
+    EXPECT_TRUE(matches.noise_bounds.empty()) << text;
+    ASSERT_EQ(matches.notes.size(), 1U) << text;
+    EXPECT_TRUE(matches.notes[0].starts_with("not used: column '")) << matches.notes[0];
+  }
+}
+
+TEST(ReadMatches, RefusesAFirstColumnThatCountsTheRows) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 1; i < 9; ++i) text += std::to_string(i) + ",0.5,1.5,2.5,3.5,4.5,5.5\n";
+  expect_error(folder.write("a.csv", text), 1, "counts the rows");
+}
+
 TEST(ReadMatches, RefusesABoundThatIsNotPositiveAndFinite) {
   const TemporaryFolder folder;
   for (const char* bound : {"0", "-1", "nan", "inf"}) {
@@ -109,7 +152,8 @@ TEST(ReadMatches, RefusesOtherFiles) {
   const TemporaryFolder folder;
   expect_error(folder / "a.csv", 0, "No such file");
   expect_error(folder.write("a.csv", ""), 0, "empty");
-  expect_error(folder.write("a.ply", "ply\n"), 0, "unknown extension '.ply' (known: .csv, .npy)");
+  expect_error(folder.write("a.ply", "ply\n"), 0,
+               "unknown extension '.ply' (known: .csv, .txt, .npy)");
   expect_error(folder.write("a.npy", "1,2,3,4,5,6\n"), 0, "no .npy file");
   write_cloud(folder / "cloud.npy", Points::Ones(3, 2));
   expect_error(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6) or (N, 7)");
@@ -130,7 +174,7 @@ TEST(WriteMatches, RefusesSidesOfDifferentLengthAndBadBounds) {
         << testing::PrintToString(bounds);
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
-  EXPECT_THROW(write_matches(folder / "a.txt", Points::Ones(3, 1), Points::Ones(3, 1)), IoError);
+  EXPECT_THROW(write_matches(folder / "a.foo", Points::Ones(3, 1), Points::Ones(3, 1)), IoError);
 }
 
 }  // namespace

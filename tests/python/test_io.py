@@ -38,7 +38,8 @@ def test_a_file_without_a_finite_point_is_an_error(tmp_path: Path, extension: st
     for name, points in (("empty", np.empty((0, 3))), ("nan", np.full((2, 3), np.nan))):
         path = tmp_path / f"{name}{extension}"
         write_points(path, points)
-        with pytest.raises(CloudFileError, match=f"{name}{extension}: no finite point"):
+        reason = "no finite point|file is empty"
+        with pytest.raises(CloudFileError, match=f"{name}{extension}: ({reason})"):
             read_points(path)
 
 
@@ -116,7 +117,7 @@ def test_ply_with_further_elements_and_mixed_types_gives_its_vertices(
 ) -> None:
     path = tmp_path / "mesh.ply"
     path.write_bytes(PLY_HEADER.format(format=name).encode() + body)
-    assert read_points(path).tolist() == [[1, 2, 3], [4, 5, 6], [7, 8, -9]]
+    assert read_points(path, mesh_points=0).tolist() == [[1, 2, 3], [4, 5, 6], [7, 8, -9]]
     path.write_bytes(path.read_bytes()[: -len(body) + 24])
     with pytest.raises(CloudFileError, match="truncated"):
         read_points(path)
@@ -126,8 +127,8 @@ def test_ply_with_further_elements_and_mixed_types_gives_its_vertices(
     ("text", "reason"),
     [
         ("plough\n", "not a PLY file"),
-        ("ply\nformat ascii 1.0\nelement vertex 1\n", "no end"),
-        ("ply\nelement vertex 0\nend_header\n", "no format"),
+        ("ply\nformat ascii 1.0\nelement vertex 1\n", "no end_header"),
+        ("ply\nelement vertex 0\nend_header\n", "no format line"),
         ("ply\nformat ascii 1.0\nelement face 0\nend_header\n", "no vertices"),
         ("ply\nformat ascii 1.0\nelement vertex many\nend_header\n", "element vertex many"),
         ("ply\nformat ascii 1.0\nproperty float x\nend_header\n", "property float x"),
@@ -181,14 +182,14 @@ def test_pcd_with_fields_of_several_values_gives_its_points(
     assert cloud.points.tolist() == [[1.5, 2, 3]]
     assert cloud.num_dropped == 1
     path.write_bytes(path.read_bytes()[: -len(body) // 2])
-    with pytest.raises(CloudFileError, match="bad PCD file"):
+    with pytest.raises(CloudFileError, match=r"truncated|expected"):
         read_cloud(path)
 
 
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("VERSION 0.7\n", "no DATA"),
+        ("VERSION 0.7\n", "no DATA line"),
         ("FIELDS a\nSIZE 4\nTYPE F\nPOINTS 0\nDATA binary\n", "no x, y and z"),
         ("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 0\nDATA zipped\n", "zipped"),
         ("FIELDS x y z\nSIZE 4 4 4\nTYPE F F Q\nPOINTS 0\nDATA binary\n", "Q"),
@@ -224,7 +225,6 @@ def test_text_files_of_the_usual_layouts_are_read(tmp_path: Path, name: str, tex
         ("a.xyz", "1 2 3\n4 5\n", "a.xyz"),
         ("a.xyz", "1 2 three\n", "three"),
         ("a.pts", "3\n1 2 3\n", "1 points, the first line says 3"),
-        ("a.pts", "1 2 3\n", "number of points"),
         ("a.csv", "1,2,3,4\n", "4 columns"),
     ],
 )
@@ -251,9 +251,9 @@ def test_lidar_rows_of_float32_give_their_first_three(
 @pytest.mark.parametrize(
     ("array", "reason"),
     [
-        (np.zeros((4, 2)), r"shape \(N, 3\), but it is \(4, 2\)"),
+        (np.zeros((4, 2)), r"shape \(4, 2\), expected \(N, 3\)"),
         (np.array([["a", "b", "c"]]), "not an array of numbers"),
-        (np.array([[None] * 3]), "allow_pickle"),
+        (np.array([[None] * 3]), "not an array of numbers"),
     ],
 )
 def test_npy_files_of_other_arrays_are_errors(
@@ -262,3 +262,38 @@ def test_npy_files_of_other_arrays_are_errors(
     np.save(tmp_path / "a.npy", array)
     with pytest.raises(CloudFileError, match=reason):
         read_points(tmp_path / "a.npy")
+
+
+OFF = "OFF\n3 1 0\n0.25 -2 3\n1 0 0.5\n-7 8.5 9\n3 0 1 2\n"
+
+
+def test_meshes_are_sampled_on_their_surface_or_give_their_vertices(tmp_path: Path) -> None:
+    (tmp_path / "a.off").write_text(OFF)
+    vertices = [[0.25, -2, 3], [1, 0, 0.5], [-7, 8.5, 9]]
+    assert read_points(tmp_path / "a.off", mesh_points=0).tolist() == vertices
+    cloud = read_cloud(tmp_path / "a.off", mesh_points=500)
+    assert cloud.points.shape == (500, 3)
+    assert "500 points are spread over its surface" in cloud.notes[0]
+    a, b, c = np.array(vertices)
+    assert np.allclose((cloud.points - a) @ np.cross(b - a, c - a), 0)
+    assert read_points(tmp_path / "a.off").shape == (100_000, 3)
+    with pytest.raises(ValueError, match="mesh_points: -1"):
+        read_points(tmp_path / "a.off", mesh_points=-1)
+
+
+def test_the_layout_of_a_scan_can_be_said(tmp_path: Path) -> None:
+    rows = np.arange(36, dtype="<f4").reshape(12, 3)
+    rows.tofile(tmp_path / "a.bin")
+    cloud = read_cloud(tmp_path / "a.bin")
+    assert cloud.points.shape == (9, 3)
+    assert "fits 3 or 4 or 6 float32 a point" in cloud.notes[0]
+    assert np.array_equal(read_points(tmp_path / "a.bin", bin_columns=3), rows)
+
+
+def test_what_is_written_is_whole_or_absent(tmp_path: Path) -> None:
+    (tmp_path / "a.ply").write_text("old")
+    with pytest.raises(CloudFileError, match=r"nowhere.*No such file"):
+        write_points(tmp_path / "nowhere" / "a.ply", POINTS)
+    write_points(tmp_path / "a.ply", POINTS)
+    assert np.array_equal(read_points(tmp_path / "a.ply"), POINTS)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.ply"]

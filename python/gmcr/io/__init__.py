@@ -3,7 +3,8 @@
 >>> from gmcr.io import read_points
 >>> points = read_points("scan.laz")  # (N, 3) float64
 
-PLY, PCD, XYZ, PTS, CSV, NumPy, KITTI and nuScenes files need nothing else. Others need an extra:
+PLY, PCD, text tables, NumPy, KITTI and nuScenes files and meshes (PLY, OBJ, OFF, STL) are read by
+the same code as in the tool and need nothing else. Others need an extra:
 
 ===============================  ================  ==================
 files                            extra             library
@@ -11,11 +12,11 @@ files                            extra             library
 .las, .laz                       ``gmcr[las]``     laspy with lazrs
 .e57                             ``gmcr[e57]``     pye57
 .bag, .mcap, .db3, ROS 2 folder  ``gmcr[rosbag]``  rosbags
-compressed .pcd, .obj .stl .off  ``gmcr[open3d]``  Open3D
 ===============================  ================  ==================
 """
 
-from ._cloud import Cloud, CloudFileError, StampedCloud
+from .._gmcr import CloudFileError
+from ._cloud import Cloud, StampedCloud
 from ._read import read_cloud, read_clouds, read_points
 from ._write import write_points
 

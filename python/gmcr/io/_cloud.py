@@ -5,19 +5,19 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from .._gmcr import CloudFileError
 
-class CloudFileError(OSError):
+
+def file_error(path: Path, reason: object) -> CloudFileError:
     """A file that is not the cloud that its extension promises; the message is 'path: reason'."""
-
-    def __init__(self, path: Path, reason: object) -> None:
-        super().__init__(f"{path}: {reason}")
+    return CloudFileError(f"{path}: {reason}")
 
 
 @dataclass(frozen=True)
@@ -29,11 +29,14 @@ class Cloud:
     points : ndarray of float64, shape (N, 3)
         N >= 1, finite, in the order and the unit of the file.
     num_dropped : int
-        Points of the file that had a coordinate that is not finite or that the file calls invalid.
+        Points of the file that are not finite, mark no return, or that the file calls invalid.
+    notes : tuple of str
+        What was dropped or had to be decided to read the file, as sentences.
     """
 
     points: npt.NDArray[np.float64]
     num_dropped: int
+    notes: tuple[str, ...] = field(default=(), kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -70,10 +73,10 @@ def to_cloud(path: Path, points: npt.NDArray[np.float64]) -> Cloud:
         where there is no finite point, or the shape is not (N, 3).
     """
     if points.ndim != 2 or points.shape[1] != 3:
-        raise CloudFileError(path, f"expected points of shape (N, 3), but it is {points.shape}")
+        raise file_error(path, f"expected points of shape (N, 3), but it is {points.shape}")
     kept = finite_rows(points)
     if len(kept) == 0:
-        raise CloudFileError(path, f"no finite point among {len(points)}")
+        raise file_error(path, f"no finite point among {len(points)}")
     return Cloud(kept, len(points) - len(kept))
 
 
@@ -106,4 +109,4 @@ def reading_with(library: str, path: Path) -> Iterator[None]:
     except (OSError, ImportError, MemoryError):
         raise
     except Exception as error:
-        raise CloudFileError(path, f"{library} cannot read it: {error}") from error
+        raise file_error(path, f"{library} cannot read it: {error}") from error

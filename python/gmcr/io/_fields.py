@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
-from typing import BinaryIO
 
 import numpy as np
 import numpy.typing as npt
@@ -29,19 +27,3 @@ def coordinates_dtype(fields: Mapping[str, tuple[str, int]], size: int) -> np.dt
 def coordinates_of(records: npt.NDArray[np.void]) -> npt.NDArray[np.float64]:
     """(N, 3) coordinates of the records, in order."""
     return np.stack([records[axis].astype(np.float64).ravel() for axis in "xyz"], axis=1)
-
-
-def read_records(
-    file: BinaryIO, fields: Mapping[str, tuple[str, int]], size: int, count: int
-) -> npt.NDArray[np.float64]:
-    """(count, 3) coordinates of the records of ``size`` bytes that come next in the file.
-
-    Raises
-    ------
-    ValueError
-        where the file holds fewer, or a field is missing.
-    """
-    dtype = coordinates_dtype(fields, size)
-    if os.fstat(file.fileno()).st_size - file.tell() < count * size:
-        raise ValueError(f"truncated: fewer than {count} points")
-    return coordinates_of(np.frombuffer(file.read(count * size), dtype))

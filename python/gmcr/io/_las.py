@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from ._cloud import CloudFileError, import_extra, reading_with
+from ._cloud import file_error, import_extra, reading_with
 
 
 def read_las(path: Path) -> npt.NDArray[np.float64]:
@@ -18,7 +18,7 @@ def read_las(path: Path) -> npt.NDArray[np.float64]:
         if las.header.are_points_compressed and not laspy.LazBackend.detect_available():
             raise ImportError(f"{path}: this needs lazrs; pip install 'gmcr[las]'")
         if len(las.points) < las.header.point_count:
-            raise CloudFileError(
+            raise file_error(
                 path, f"truncated: {len(las.points)} points of {las.header.point_count}"
             )
         return np.asarray(las.xyz, dtype=np.float64)

@@ -11,61 +11,61 @@ from typing import Union
 import numpy as np
 import numpy.typing as npt
 
+from .. import _gmcr
 from ._cloud import Cloud, finite_rows, to_cloud
 from ._e57 import read_e57_scans
 from ._las import read_las
-from ._open3d import read_with_open3d
-from ._pcd import read_pcd
-from ._ply import read_ply
 from ._rosbag import is_recording, read_recording
-from ._tables import read_csv, read_kitti, read_npy, read_nuscenes, read_pts, read_text
 
 PathLike = Union[str, "os.PathLike[str]"]
 
-_READERS = {
-    ".ply": read_ply,
-    ".pcd": read_pcd,
-    ".npy": read_npy,
-    ".xyz": read_text,
-    ".txt": read_text,
-    ".pts": read_pts,
-    ".csv": read_csv,
-    ".bin": read_kitti,
-    ".las": read_las,
-    ".laz": read_las,
-    ".obj": read_with_open3d,
-    ".stl": read_with_open3d,
-    ".off": read_with_open3d,
-}
-
 
 def read_points(
-    path: PathLike, *, topic: str | None = None, index: int = 0
+    path: PathLike,
+    *,
+    topic: str | None = None,
+    index: int = 0,
+    mesh_points: int | None = None,
+    bin_columns: int | None = None,
 ) -> npt.NDArray[np.float64]:
     """Points of a cloud file: ``read_cloud(...).points``, (N, 3), in the unit of the file."""
-    return read_cloud(path, topic=topic, index=index).points
+    return read_cloud(
+        path, topic=topic, index=index, mesh_points=mesh_points, bin_columns=bin_columns
+    ).points
 
 
-def read_cloud(path: PathLike, *, topic: str | None = None, index: int = 0) -> Cloud:
+def read_cloud(
+    path: PathLike,
+    *,
+    topic: str | None = None,
+    index: int = 0,
+    mesh_points: int | None = None,
+    bin_columns: int | None = None,
+) -> Cloud:
     """Reads a point cloud; the extension, in any case, says the format.
 
     Parameters
     ----------
     path : path-like
-        ``.ply``, ``.pcd``, ``.npy`` (N, 3), ``.xyz`` and ``.txt`` (three columns and more),
-        ``.pts``, ``.csv`` (columns x, y, z by name, or exactly 3), ``.bin`` (KITTI),
-        ``.pcd.bin`` (nuScenes), ``.las``, ``.laz``, ``.e57`` (its scans together, in the frame of
-        the file), the vertices of ``.obj``, ``.stl`` and ``.off``, or a recording: ``.bag``,
+        ``.ply``, ``.pcd``, ``.npy`` (N, 3), text tables (``.xyz``, ``.txt``, ``.asc``, ``.pts``,
+        ``.csv``: columns x, y, z by name, or the first three), ``.bin`` (KITTI), ``.pcd.bin``
+        (nuScenes), meshes (``.obj``, ``.off``, ``.stl``, ``.ply`` with faces), ``.las``, ``.laz``,
+        ``.e57`` (its scans together, in the frame of the file), or a recording: ``.bag``,
         ``.mcap``, ``.db3`` or the folder of a ROS 2 bag.
     topic : str, optional
         Topic of the recording; not needed where only one has clouds.
     index : int
         Which cloud of the topic, counted from 0.
+    mesh_points : int, optional
+        Points to spread evenly over the surface of a mesh, 100,000 by default; 0: its vertices.
+    bin_columns : int, optional
+        Float32 numbers of a point in a ``.bin`` file; told by size and content by default.
 
     Returns
     -------
     Cloud
-        Finite points and the number of others. Of a recording a ``StampedCloud``.
+        Finite points, the number of others, and what had to be decided. Of a recording a
+        ``StampedCloud``.
 
     Raises
     ------
@@ -90,7 +90,18 @@ def read_cloud(path: PathLike, *, topic: str | None = None, index: int = 0) -> C
         return cloud
     if topic is not None or index != 0:
         raise ValueError(f"topic and index are for recordings, which {path} is not")
-    return to_cloud(path, _read_whole(path))
+    extension = path.suffix.lower()
+    if extension in (".las", ".laz"):
+        return to_cloud(path, read_las(path))
+    if extension == ".e57":
+        return to_cloud(path, np.concatenate([np.empty((0, 3)), *read_e57_scans(path)]))
+    known = _gmcr.cloud_extensions()
+    if extension not in known:
+        others = [".las", ".laz", ".e57", ".bag", ".mcap", ".db3"]
+        raise ValueError(f"path: {path.name} has none of the extensions {' '.join(known + others)}")
+    path.open("rb").close()  # a missing file is the usual error
+    points, num_dropped, notes = _gmcr.read_cloud(path, mesh_points, bin_columns)
+    return Cloud(points, num_dropped, notes=tuple(notes))
 
 
 def read_clouds(path: PathLike, *, topic: str | None = None) -> Iterator[Cloud]:
@@ -126,15 +137,3 @@ def _scans_with_points(path: Path) -> Iterator[Cloud]:
     for points in read_e57_scans(path):
         if len(finite_rows(points)):
             yield to_cloud(path, points)
-
-
-def _read_whole(path: Path) -> npt.NDArray[np.float64]:
-    if path.name.lower().endswith(".pcd.bin"):
-        return read_nuscenes(path)
-    extension = path.suffix.lower()
-    if extension == ".e57":
-        return np.concatenate([np.empty((0, 3)), *read_e57_scans(path)])
-    if extension not in _READERS:
-        known = " ".join([*_READERS, ".pcd.bin", ".e57", ".bag", ".mcap", ".db3"])
-        raise ValueError(f"path: {path.name} has none of the extensions {known}")
-    return _READERS[extension](path)

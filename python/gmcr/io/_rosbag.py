@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._cloud import CloudFileError, StampedCloud, finite_rows, import_extra, reading_with
+from ._cloud import StampedCloud, file_error, finite_rows, import_extra, reading_with
 from ._fields import coordinates_dtype, coordinates_of
 
 _CLOUD_TYPE = "sensor_msgs/msg/PointCloud2"
@@ -54,7 +54,7 @@ def _messages(path: Path, reader: Any, topic: str | None) -> Iterator[tuple[str,
     clouds = [each for each in reader.connections if each.msgtype == _CLOUD_TYPE]
     topics = sorted({each.topic for each in clouds})
     if not topics:
-        raise CloudFileError(path, f"no topic of type {_CLOUD_TYPE}")
+        raise file_error(path, f"no topic of type {_CLOUD_TYPE}")
     if topic is None and len(topics) > 1:
         raise ValueError(f"topic: {path} has several, choose one of {', '.join(topics)}")
     if topic is not None and topic not in topics:
@@ -79,5 +79,5 @@ def _decode(path: Path, message: Any) -> npt.NDArray[np.float64]:
             strides=(message.row_step, message.point_step),
         )
     except (KeyError, ValueError, TypeError) as error:
-        raise CloudFileError(path, f"bad PointCloud2: {error}") from error
+        raise file_error(path, f"bad PointCloud2: {error}") from error
     return coordinates_of(records)

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import numpy.typing as npt
 
+from .. import _gmcr
 from .._arguments import as_points
-from ._ply import write_ply
 from ._read import PathLike
 
 
 def write_points(path: PathLike, points: npt.ArrayLike) -> None:
-    """Writes points so that reading the file gives the same bits.
+    """Writes points, whole or not at all: a file that is there already is replaced at the end.
 
     Parameters
     ----------
     path : path-like
-        Ends in ``.ply`` (binary float64), ``.npy``, ``.xyz`` or ``.csv``.
+        Ends in ``.ply`` (binary float64), ``.npy``, ``.xyz``, ``.txt``, ``.asc`` or ``.csv``, which
+        read back as the same bits, or in ``.pcd``: float32 unless that would move a point by more
+        than a millionth of the extent.
     points : array_like, shape (N, 3)
         Metres.
 
@@ -26,16 +27,11 @@ def write_points(path: PathLike, points: npt.ArrayLike) -> None:
     ------
     ValueError
         where the extension or the shape is another.
+    CloudFileError
+        where the file cannot be written.
     """
     path, array = Path(path), as_points(points, "points")
-    extension = path.suffix.lower()
-    if extension == ".ply":
-        write_ply(path, array)
-    elif extension == ".npy":
-        np.save(path, array)
-    elif extension == ".xyz":
-        np.savetxt(path, array, "%.17g")
-    elif extension == ".csv":
-        np.savetxt(path, array, "%.17g", delimiter=",", header="x,y,z", comments="")
-    else:
-        raise ValueError(f"path: {path.name} does not end in .ply, .npy, .xyz or .csv")
+    known = _gmcr.written_cloud_extensions()
+    if path.suffix.lower() not in known:
+        raise ValueError(f"path: {path.name} does not end in {', '.join(known)}")
+    _gmcr.write_cloud(path, array)

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cli/tool.hpp"
+#include "gmcr/io.hpp"
+
+namespace gmcr {
+namespace {
+
+using test::expect_failure;
+using test::TemporaryFolder;
+
+/// A bumpy patch, as rows of text.
+std::string patch(double shift, const std::string& more) {
+  std::string text;
+  for (int i = 0; i < 60 * 60; ++i) {
+    const double x = i % 60 * 0.02 + shift, y = i / 60 * 0.02;
+    const double z = 2 + 0.1 * std::sin(9 * x * x + 3 * y) + 0.08 * std::cos(11 * y * y - 4 * x);
+    text += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + more + "\n";
+  }
+  return text;
+}
+
+const std::string kTwoTriangles = "OFF\n4 2 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n3 0 1 2\n3 0 2 3\n";
+
+TEST(Outputs, ThatCannotBeWrittenEndTheToolBeforeItReads) {
+  const TemporaryFolder folder;
+  const std::string none = (folder / "none.ply").string();  // which would be the next error
+  const std::string clouds = "register " + none + " " + none;
+  for (const char* flag : {"-o", "--aligned", "--matches", "--json-file"}) {
+    expect_failure(clouds + " " + flag + " /nowhere/a.csv", 3,
+                   "/nowhere/a.csv: cannot be written: folder /nowhere: No such file");
+  }
+  expect_failure(clouds + " --aligned a.foo", 3, "a.foo: unknown extension");
+  expect_failure(clouds + " --matches a.ply", 3, "a.ply: unknown extension");
+  expect_failure("match " + none + " " + none + " -o /nowhere/m.csv", 3, "/nowhere/m.csv");
+  expect_failure("solve " + none + " --noise-bound 1 --inliers /nowhere/i.txt", 3,
+                 "/nowhere/i.txt");
+  expect_failure("synth -o m.foo", 3, "m.foo: unknown extension");
+}
+
+TEST(StandardOutput, ThatIsFullIsAnError) {
+  const char* binary = std::getenv("GMCR_BIN");
+  for (const char* arguments : {"info", "info --json", "--help"}) {
+    const std::string command =
+        "'" + std::string(binary ? binary : "gmcr") + "' " + arguments + " >/dev/full 2>/dev/null";
+    const int status = std::system(command.c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3) << arguments;
+  }
+}
+
+TEST(Aligned, KeepsTheFieldsOfTheSource) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3600\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty float nx\nproperty float ny\n"
+      "property float nz\nend_header\n";
+  const auto source = folder.write("a.ply", header + patch(0, " 200 0 0 1"));
+  const auto target = folder.write("b.xyz", patch(0.1, ""));
+  const auto aligned = folder / "c.ply";
+  const auto output = test::run_tool("register " + source.string() + " " + target.string() +
+                                     " --aligned " + aligned.string());
+  ASSERT_EQ(output.exit_code, 0) << output.err;
+  const std::string bytes = test::content_of(aligned);
+  EXPECT_NE(bytes.find("element vertex 3600\n"), std::string::npos);
+  EXPECT_NE(bytes.find("property uchar red\n"), std::string::npos);
+  EXPECT_NE(bytes.find("property double nz\n"), std::string::npos);
+  EXPECT_EQ(read_cloud(aligned).points.cols(), 3600);
+}
+
+TEST(Mesh, IsSampledWithAWordAndAsTheFlagSays) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.write("a.off", kTwoTriangles).string();
+  const std::string match =
+      "match " + mesh + " " + mesh + " --voxel 0.1 -o " + (folder / "m.csv").string();
+  const auto output = test::run_tool(match + " --mesh-points 500 --json");
+  ASSERT_EQ(output.exit_code, 0) << output.err;
+  EXPECT_NE(output.err.find("500 points are spread over its surface"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(output.out).at("num_source_points"), 500);
+  const auto vertices = test::run_tool(match + " --mesh-points 0 --json");
+  EXPECT_EQ(nlohmann::json::parse(vertices.out).at("num_source_points"), 4);
+  expect_failure(match + " --mesh-points -1", 2, "--mesh-points");
+}
+
+TEST(BinaryScan, IsReadAsTheFlagSays) {
+  const TemporaryFolder folder;
+  const std::string scan = folder.write("a.bin", std::string(480, '@')).string();
+  const std::string match =
+      "match " + scan + " " + scan + " --voxel 1 -o " + (folder / "m.csv").string() + " --json";
+  for (const int columns : {3, 4, 5}) {
+    const auto output = test::run_tool(match + " --bin-columns " + std::to_string(columns));
+    EXPECT_EQ(nlohmann::json::parse(output.out).at("num_source_points"), 480 / 4 / columns);
+  }
+  expect_failure(match + " --bin-columns 2", 2, "bin_columns");
+  expect_failure(match + " --bin-columns 7", 3, "multiple of 28");
+}
+
+TEST(SeventhColumn, ThatMayBeAScoreIsNotTakenForMetres) {
+  const TemporaryFolder folder;
+  std::string rows;
+  for (int i = 0; i < 20; ++i) {
+    const std::string point =
+        std::to_string(i % 5) + "," + std::to_string(i * i % 7) + "," + std::to_string(i * 3 % 11);
+    rows += point + "," + point + ",0." + std::to_string(95 - i) + "\n";
+  }
+  const std::string bare = folder.write("a.csv", rows).string();
+  expect_failure("solve " + bare, 3, "noise bounds in metres, or scores?");
+  expect_failure("solve " + bare + " --noise-bound 0.1", 3, "or scores?");
+  const std::string named = folder.write("b.csv", "x1,y1,z1,x2,y2,z2,score\n" + rows).string();
+  const auto output = test::run_tool("solve " + named + " --noise-bound 0.1");
+  EXPECT_EQ(output.exit_code, 0) << output.err;
+  EXPECT_NE(output.err.find("not used: column 'score'"), std::string::npos) << output.err;
+}
+
+}  // namespace
+}  // namespace gmcr
