@@ -99,6 +99,32 @@ struct Refinement {
   double noise = 0;
 };
 
+/// A small motion of the source that the surfaces hardly resist.
+struct WeakDirection {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();   ///< unit axis, target frame; 0: no turn
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< unit, target frame; 0 where it is a turn
+  /// Mean square of the motion along the normals over that of the motion, in [0, 1].
+  double stiffness = 0;
+};
+
+/// How the surfaces of two clouds meet under a pose, by the normals of their voxels.
+struct SurfaceFit {
+  double source_share = 0;  ///< of the source that the target covers, with its normals, in [0, 1]
+  double target_share = 0;  ///< of the target that the source covers, with its normals
+  double agreement = 0;     ///< share of the voxels that meet whose normals are within 26 degrees
+  double noise = 0;         ///< standard deviation of the distance along the normals, metres
+  std::vector<WeakDirection> weak_directions;  ///< what the surfaces leave open, weakest first
+
+  /// Sum of the two shares: of two poses on the same voxels the better one has more.
+  double overlap() const { return source_share + target_share; }
+};
+
+/// Another pose of the surfaces that was looked at, refined alike.
+struct RivalPose {
+  Similarity target_from_source;
+  double overlap = 0;  ///< over that of the pose that is returned: near 1, the surfaces fit as well
+};
+
 struct CloudResult {
   /// Pose and inliers; `inliers` index the columns of `matches.source`. Its diagnostics hold the
   /// stages of the front end too, summed over the attempts.
@@ -118,6 +144,9 @@ struct CloudResult {
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried
   Refinement refinement;
+  SurfaceFit surfaces;  ///< of the pose
+  /// Other poses at which the surfaces meet about as well: symmetry or repetition. Best first.
+  std::vector<RivalPose> rivals;
 };
 
 /// Correspondences between two clouds: voxel grid, normals, FPFH (Rusu et al. 2009), nearest

@@ -5,7 +5,9 @@
 #include <tuple>
 #include <utility>
 
+#include "frontend/alignment/surface_fit.hpp"
 #include "frontend/cloud_pair.hpp"
+#include "frontend/hypotheses.hpp"
 #include "frontend/overlap.hpp"
 #include "frontend/refine_clouds.hpp"
 #include "frontend/stage_clock.hpp"
@@ -53,25 +55,38 @@ void measure_fit(CloudResult& result, const Options& options) {
   result.fitness = forward.fitness;
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
+  frontend::CentredPair pair(matches.source_voxels, matches.target_voxels);
+  result.surfaces = frontend::measure_surfaces(pair, pose, radius, options.num_threads);
   Options distinct = options_with_bound(options, matches);
   distinct.evidence = Evidence::Distinct;
   result.distinct_evidence =
       evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
 }
 
-/// A judged pose, and the one that the matches gave.
+/// Poses of the matches of an attempt that the surfaces choose from.
+constexpr int kHypotheses = 4;
+
+/// The options with so many hypotheses, where the method has several.
+Options with_hypotheses(Options options) {
+  if (options.method == Method::Gmcr) {
+    options.num_hypotheses = std::max(options.num_hypotheses, kHypotheses);
+  }
+  return options;
+}
+
+/// A result that may be returned.
 struct Attempt {
   CloudResult result;
-  Similarity matched;
+  Similarity matched;             ///< the pose that the matches gave
+  frontend::Candidate candidate;  ///< its pose; its overlap is what attempts are compared by
 };
 
-/// One attempt from raw clouds to a judged pose, refined on its voxels where that is asked for.
+/// One attempt from raw clouds to a pose of the matches.
 /// @return nullopt where the graph of the matches exceeds the memory budget and this is not the
 ///   `first` attempt, which would throw.
-std::optional<Attempt> attempt(const PointsRef& source, const PointsRef& target,
-                               const FrontendOptions& frontend, const Options& options,
-                               const frontend::FrontendSetting& setting, bool first) {
-  const parallel::Deadline deadline(options.time_limit, options.stop);
+std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
+                                   const FrontendOptions& frontend, const Options& options,
+                                   const frontend::FrontendSetting& setting, bool first) {
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
@@ -81,20 +96,55 @@ std::optional<Attempt> attempt(const PointsRef& source, const PointsRef& target,
     return std::nullopt;
   }
   result.registration = register_matches(result.matches, options);
+  return result;
+}
+
+/// Judges the pose of the matches as it is.
+Attempt judged(CloudResult result, const Options& options) {
+  const Similarity pose = result.registration.target_from_source;
   const Status status = result.registration.status;
   if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
   frontend::judge(result);
+  const double overlap = result.fitness + result.target_fitness;
+  return {std::move(result), pose, {pose, false, 0, overlap}};
+}
+
+/// Judges the pose of the matches, or the alternative at which the surfaces meet best.
+/// @param hypotheses  of all attempts, made by the first that has a pose.
+Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypotheses,
+                const Options& options, const parallel::Deadline& deadline) {
+  if (result.registration.status != Status::Ok) return judged(std::move(result), options);
+  frontend::StageClock clock(result.registration.diagnostics.stages);
+  if (!hypotheses) hypotheses.emplace(result.matches, options, deadline);
   const Similarity matched = result.registration.target_from_source;
-  if (frontend.refine == Refine::Icp) {
-    result = frontend::approach(std::move(result), options, deadline);
-  }
-  return Attempt{std::move(result), matched};
+  const frontend::Candidate candidate = hypotheses->best_of(result.registration);
+  result = frontend::take(std::move(result), candidate, options);
+  clock.lap("refinement");
+  return {std::move(result), matched, candidate};
+}
+
+/// Looks at the rivals of a pose, and takes one that is clearly better.
+void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
+                         const Options& options) {
+  frontend::StageClock clock(attempt.result.registration.diagnostics.stages);
+  const frontend::Candidate best = hypotheses.turned_or(attempt.candidate);
+  attempt.result.rivals = hypotheses.rivals_of(best);
+  attempt.result = frontend::take(std::move(attempt.result), best, options);
+  attempt.candidate = best;
+  clock.lap("refinement");
+}
+
+/// Keeps the alternatives that the caller asked for.
+void keep_alternatives(Result& registration, const Options& options) {
+  const auto asked = static_cast<std::size_t>(options.num_hypotheses - 1);
+  auto& alternatives = registration.alternatives;
+  alternatives.resize(std::min(alternatives.size(), asked));
 }
 
 /// Below trust, how the surfaces meet tells more than the numbers of matches of unlike attempts.
-bool better(const CloudResult& a, const CloudResult& b) {
-  const auto key = [](const CloudResult& r) {
-    return std::tuple(r.verdict == Verdict::Trusted, r.fitness + r.target_fitness);
+bool better(const Attempt& a, const Attempt& b) {
+  const auto key = [](const Attempt& attempt) {
+    return std::tuple(attempt.result.verdict == Verdict::Trusted, attempt.candidate.overlap);
   };
   return key(a) > key(b);
 }
@@ -114,43 +164,47 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   }
   const parallel::Stopwatch stopwatch;
   const parallel::Deadline deadline(options.time_limit, options.stop);
-  CloudResult best;
-  Similarity matched;
+  const bool refines = frontend.refine == Refine::Icp;
+  Attempt best;
+  std::optional<frontend::Hypotheses> hypotheses;
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
   for (const frontend::FrontendSetting& setting : frontend::list_settings(frontend)) {
-    const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
+    const bool too_many =
+        num_attempts > 0 && best.result.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
     if (num_attempts > 0 && deadline.expired()) {
       limits.push_back({Limit::Time, "the time budget ended the attempts at other settings"});
       break;
     }
-    Options remaining = options;
+    Options remaining = refines ? with_hypotheses(options) : options;
     remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
     auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
     if (!tried) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
       continue;
     }
-    add_stages(stages, tried->result.matches.stages);
-    add_stages(stages, tried->result.registration.diagnostics.stages);
+    Attempt next = refines ? refined(std::move(*tried), hypotheses, options, deadline)
+                           : judged(std::move(*tried), options);
+    add_stages(stages, next.result.matches.stages);
+    add_stages(stages, next.result.registration.diagnostics.stages);
     ++num_attempts;
-    if (num_attempts == 1 || better(tried->result, best)) {
-      best = std::move(tried->result);
-      matched = tried->matched;
-    }
-    if (best.verdict == Verdict::Trusted) break;
+    if (num_attempts == 1 || better(next, best)) best = std::move(next);
+    if (best.result.verdict == Verdict::Trusted) break;
   }
-  best.num_attempts = num_attempts;
-  best.registration.diagnostics.stages = std::move(stages);
-  if (frontend.refine == Refine::Icp) {
-    best = frontend::settle(std::move(best), source, target, matched, options, deadline);
+  CloudResult& result = best.result;
+  result.num_attempts = num_attempts;
+  result.registration.diagnostics.stages = std::move(stages);
+  if (refines) {
+    if (result.registration.status == Status::Ok) compare_with_rivals(best, *hypotheses, options);
+    result = frontend::settle(std::move(result), source, target, best.matched, options, deadline);
+    keep_alternatives(result.registration, options);
   }
-  auto& limits_hit = best.registration.diagnostics.limits_hit;
+  auto& limits_hit = result.registration.diagnostics.limits_hit;
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
-  best.registration.diagnostics.total_seconds = stopwatch.elapsed();
-  return best;
+  result.registration.diagnostics.total_seconds = stopwatch.elapsed();
+  return std::move(result);
 }
 
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "frontend/alignment/align.hpp"
-#include "frontend/alignment/centred_pair.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -45,12 +44,9 @@ AlignmentRules rules_of(const CentredPair& pair, const Options& options,
 
 }  // namespace
 
-RefinedPose refine_pose(const PointsRef& source, const PointsRef& target, const Similarity& start,
-                        const RefinementScale& scale, const Options& options,
-                        const parallel::Deadline& deadline) {
+RefinedPose refine_pose(CentredPair& pair, const Similarity& start, const RefinementScale& scale,
+                        const Options& options, const parallel::Deadline& deadline) {
   RefinedPose refined{start, false, 0};
-  if (source.cols() == 0 || target.cols() == 0) return refined;
-  CentredPair pair(source, target);
   const Samples samples = choose_samples(pair.source, pair.target, scale.max_samples);
   const AlignmentRules rules = rules_of(pair, options, deadline);
   const std::vector<AlignmentRound> rounds = rounds_of(scale);
