@@ -81,7 +81,9 @@ struct CloudMatches {
 
 /// How far the pose of two clouds can be relied on.
 enum class Verdict {
-  Trusted,    ///< many more matches agree than chance explains, and the surfaces meet
+  /// Many more matches agree than chance explains, the surfaces meet and determine the pose, and
+  /// no other pose fits about as well.
+  Trusted,
   Doubtful,   ///< plausible, but check it
   Untrusted,  ///< what chance alone would give, or no pose at all
 };
@@ -195,6 +197,7 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
 /// covariance, consistent scales, fitness, overlap RMSE and verdict are those of the new pose; the
 /// certificate, which speaks of the matches, and the alternatives stay.
 /// @param options  that the result was computed with.
+/// @throws std::invalid_argument where the result is of no clouds.
 /// Cost O(N log N).
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options);

@@ -1,6 +1,7 @@
 #include "frontend/hypotheses.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gmcr::frontend {
 namespace {
@@ -9,34 +10,43 @@ namespace {
 constexpr double kBetter = 1.1;
 /// The same, above which another one fits about as well.
 constexpr double kAsGood = 0.9;
+/// The same by a glance, which errs by a few per cent.
+constexpr double kWorthALook = 0.75;
 
 }  // namespace
 
-Hypotheses::Hypotheses(const CloudMatches& matches, const Options& options,
+Hypotheses::Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
                        const parallel::Deadline& deadline)
-    : judge_(matches, options), deadline_(deadline) {}
+    : judge_(std::move(pair), voxel, options), deadline_(deadline) {}
 
-Candidate Hypotheses::look_at(const Similarity& start) {
-  seen_.push_back(judge_.approach(start, deadline_));
-  return seen_.back();
+void Hypotheses::add(const Similarity& start, const Candidate& best) {
+  if (deadline_.expired()) return;
+  const Candidate glanced = judge_.glance(start, deadline_);
+  if (glanced.overlap < kWorthALook * best.overlap) return;
+  seen_.push_back(judge_.approach(glanced.target_from_source, deadline_));
 }
 
 Candidate Hypotheses::best_of(const Result& registration) {
-  Candidate best = look_at(registration.target_from_source);
+  const Candidate first = judge_.approach(registration.target_from_source, deadline_);
+  const std::size_t num_before = seen_.size();
+  seen_.push_back(first);
   for (const Alternative& alternative : registration.alternatives) {
-    if (deadline_.expired()) break;
-    const Candidate other = look_at(alternative.target_from_source);
-    if (other.overlap > kBetter * best.overlap) best = other;
+    add(alternative.target_from_source, first);
+  }
+  Candidate best = first;
+  for (std::size_t k = num_before; k < seen_.size(); ++k) {
+    if (seen_[k].overlap > kBetter * best.overlap) best = seen_[k];
   }
   return best;
 }
 
-Candidate Hypotheses::turned_or(const Candidate& candidate) {
-  Candidate best = candidate;
+Candidate Hypotheses::challenged(const Candidate& candidate) {
   for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
-    if (deadline_.expired()) break;
-    const Candidate other = look_at(turned);
-    if (other.overlap > kBetter * best.overlap) best = other;
+    add(turned, candidate);
+  }
+  Candidate best = candidate;
+  for (const Candidate& other : seen_) {
+    if (other.overlap > kBetter * candidate.overlap && other.overlap > best.overlap) best = other;
   }
   return best;
 }

@@ -6,6 +6,7 @@
 
 #include "frontend/alignment/refine_pose.hpp"
 #include "frontend/cloud_pair.hpp"
+#include "frontend/judged_pose.hpp"
 #include "frontend/stage_clock.hpp"
 #include "gmcr/metrics.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kCell = 0.5;         // voxels: cells of the finer clouds
 constexpr double kSettleReach = 1.5;  // cells
+constexpr double kSettleStep = 1e-3;  // cells
 constexpr Index kSettleSamples = 6000;
 
 std::string note_on(const CloudResult& result, const Similarity& matched) {
@@ -36,19 +38,10 @@ void note_time(CloudResult& result, const parallel::Deadline& deadline) {
 
 }  // namespace
 
-CloudResult take(CloudResult result, const Candidate& candidate, const Options& options) {
-  result = with_pose(std::move(result), candidate.target_from_source, options);
-  result.refinement.is_applied = result.refinement.is_applied || candidate.is_refined;
-  if (candidate.is_refined) result.refinement.noise = candidate.noise;
-  return result;
-}
-
 CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef& target,
-                   const Similarity& matched, const Options& options,
+                   CentredPair& voxels, const Similarity& matched, const Options& options,
                    const parallel::Deadline& deadline) {
   result.refinement.method = "icp";
-  result.refinement.note = "no pose to refine";
-  if (result.registration.status != Status::Ok) return result;
   StageClock clock(result.registration.diagnostics.stages);
   if (!deadline.expired()) {
     const CloudMatches& matches = result.matches;
@@ -57,10 +50,10 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
                      voxel_grid(target, cell));
     const RefinedPose refined =
         refine_pose(pair, result.registration.target_from_source,
-                    {cell, kSettleReach, kSettleSamples}, options, deadline);
+                    {cell, kSettleReach, kSettleSamples, kSettleStep}, options, deadline);
     if (refined.is_applied) {
       const Candidate candidate{refined.target_from_source, true, refined.noise, 0};
-      result = take(std::move(result), candidate, options);
+      result = take(std::move(result), candidate, voxels, options);
     }
   }
   note_time(result, deadline);
@@ -76,11 +69,14 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
   frontend::validate_pair(source, target, {}, options);
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const Similarity matched = result.registration.target_from_source;
-  if (result.registration.status == Status::Ok) {
-    frontend::SurfaceJudge judge(result.matches, options);
-    result = frontend::take(std::move(result), judge.approach(matched, deadline), options);
+  if (result.registration.status != Status::Ok) {
+    result.refinement.note = "no pose to refine";
+    return result;
   }
-  return frontend::settle(std::move(result), source, target, matched, options, deadline);
+  const auto voxels = frontend::voxel_pair(result.matches);
+  frontend::SurfaceJudge judge(voxels, result.matches.target_voxel_size, options);
+  result = frontend::take(std::move(result), judge.approach(matched, deadline), *voxels, options);
+  return frontend::settle(std::move(result), source, target, *voxels, matched, options, deadline);
 }
 
 }  // namespace gmcr

@@ -5,10 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "frontend/alignment/surface_fit.hpp"
 #include "frontend/cloud_pair.hpp"
 #include "frontend/hypotheses.hpp"
-#include "frontend/overlap.hpp"
+#include "frontend/judged_pose.hpp"
 #include "frontend/refine_clouds.hpp"
 #include "frontend/stage_clock.hpp"
 #include "frontend/verdict.hpp"
@@ -22,45 +21,16 @@ namespace {
 /// Source voxels above which an attempt that keeps all matches costs more than it is worth.
 constexpr Index kMostUnfiltered = 3000;
 
-/// Options to solve with, or to judge a pose with: by then the bound is known.
-Options options_with_bound(const Options& options, const CloudMatches& matches) {
-  Options given = options;
-  given.noise_mode = NoiseMode::Given;
-  given.noise_bound = matches.noise_bound;
-  return given;
-}
-
 /// Registers the matches, with the bound that they come with or one from the matches themselves,
 /// which then is theirs.
 Result register_matches(CloudMatches& matches, const Options& options) {
   if (options.noise_mode == NoiseMode::Given) {
     return register_correspondences(matches.source, matches.target,
-                                    options_with_bound(options, matches));
+                                    frontend::options_with_bound(options, matches));
   }
   Result result = register_correspondences(matches.source, matches.target, options);
   if (result.noise_estimate) matches.noise_bound = result.noise_estimate->noise_bound;
   return result;
-}
-
-/// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
-void measure_fit(CloudResult& result, const Options& options) {
-  const CloudMatches& matches = result.matches;
-  const Similarity& pose = result.registration.target_from_source;
-  const double radius = matches.target_voxel_size;
-  const frontend::Overlap forward = frontend::measure_overlap(
-      matches.source_voxels, matches.target_voxels, pose, radius, options.num_threads);
-  const frontend::Overlap backward =
-      frontend::measure_overlap(matches.target_voxels, matches.source_voxels, pose.inverse(),
-                                radius / pose.scale, options.num_threads);
-  result.fitness = forward.fitness;
-  result.overlap_rmse = forward.rmse;
-  result.target_fitness = backward.fitness;
-  frontend::CentredPair pair(matches.source_voxels, matches.target_voxels);
-  result.surfaces = frontend::measure_surfaces(pair, pose, radius, options.num_threads);
-  Options distinct = options_with_bound(options, matches);
-  distinct.evidence = Evidence::Distinct;
-  result.distinct_evidence =
-      evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
 }
 
 /// Poses of the matches of an attempt that the surfaces choose from.
@@ -79,6 +49,7 @@ struct Attempt {
   CloudResult result;
   Similarity matched;             ///< the pose that the matches gave
   frontend::Candidate candidate;  ///< its pose; its overlap is what attempts are compared by
+  std::shared_ptr<frontend::CentredPair> voxels;  ///< of the matches; null: none
 };
 
 /// One attempt from raw clouds to a pose of the matches.
@@ -103,10 +74,14 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
 Attempt judged(CloudResult result, const Options& options) {
   const Similarity pose = result.registration.target_from_source;
   const Status status = result.registration.status;
-  if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
-  frontend::judge(result);
+  auto voxels = frontend::voxel_pair(result.matches);
+  if (status == Status::Ok || status == Status::Degenerate) {
+    frontend::judge_pose(result, *voxels, options);
+  } else {
+    frontend::judge(result);
+  }
   const double overlap = result.fitness + result.target_fitness;
-  return {std::move(result), pose, {pose, false, 0, overlap}};
+  return {std::move(result), pose, {pose, false, 0, overlap}, std::move(voxels)};
 }
 
 /// Judges the pose of the matches, or the alternative at which the surfaces meet best.
@@ -115,22 +90,44 @@ Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypothe
                 const Options& options, const parallel::Deadline& deadline) {
   if (result.registration.status != Status::Ok) return judged(std::move(result), options);
   frontend::StageClock clock(result.registration.diagnostics.stages);
-  if (!hypotheses) hypotheses.emplace(result.matches, options, deadline);
+  auto voxels = frontend::voxel_pair(result.matches);
+  if (!hypotheses) {
+    hypotheses.emplace(voxels, result.matches.target_voxel_size, options, deadline);
+  }
   const Similarity matched = result.registration.target_from_source;
   const frontend::Candidate candidate = hypotheses->best_of(result.registration);
-  result = frontend::take(std::move(result), candidate, options);
+  result = frontend::take(std::move(result), candidate, *voxels, options);
   clock.lap("refinement");
-  return {std::move(result), matched, candidate};
+  return {std::move(result), matched, candidate, std::move(voxels)};
+}
+
+/// The pose of `next` with the matches that speak for it more clearly, its own or those of `best`.
+Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& options) {
+  if (!best.voxels || best.result.registration.status != Status::Ok) return next;
+  CloudResult other = frontend::take(best.result, next.candidate, *best.voxels, options);
+  const auto key = [](const CloudResult& result) {
+    return std::tuple(result.matches.filtered, result.distinct_evidence);
+  };
+  if (key(other) > key(next.result)) {
+    next.result = std::move(other);
+    next.voxels = best.voxels;
+  }
+  return next;
 }
 
 /// Looks at the rivals of a pose, and takes one that is clearly better.
 void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
                          const Options& options) {
   frontend::StageClock clock(attempt.result.registration.diagnostics.stages);
-  const frontend::Candidate best = hypotheses.turned_or(attempt.candidate);
-  attempt.result.rivals = hypotheses.rivals_of(best);
-  attempt.result = frontend::take(std::move(attempt.result), best, options);
-  attempt.candidate = best;
+  const Similarity before = attempt.candidate.target_from_source;
+  attempt.candidate = hypotheses.challenged(attempt.candidate);
+  attempt.result.rivals = hypotheses.rivals_of(attempt.candidate);
+  if (attempt.candidate.target_from_source.matrix() == before.matrix()) {
+    frontend::judge(attempt.result);
+  } else {
+    attempt.result =
+        frontend::take(std::move(attempt.result), attempt.candidate, *attempt.voxels, options);
+  }
   clock.lap("refinement");
 }
 
@@ -141,12 +138,14 @@ void keep_alternatives(Result& registration, const Options& options) {
   alternatives.resize(std::min(alternatives.size(), asked));
 }
 
-/// Below trust, how the surfaces meet tells more than the numbers of matches of unlike attempts.
+/// How the surfaces meet tells more than the numbers of matches of unlike attempts.
 bool better(const Attempt& a, const Attempt& b) {
-  const auto key = [](const Attempt& attempt) {
-    return std::tuple(attempt.result.verdict == Verdict::Trusted, attempt.candidate.overlap);
+  constexpr double kTrust = 1.1;  // what counts that are trusted are worth
+  const auto worth = [](const Attempt& attempt) {
+    const bool is_trusted = attempt.result.verdict == Verdict::Trusted;
+    return (is_trusted ? kTrust : 1) * attempt.candidate.overlap;
   };
-  return key(a) > key(b);
+  return worth(a) > worth(b);
 }
 
 void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stages) {
@@ -190,39 +189,30 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
     add_stages(stages, next.result.matches.stages);
     add_stages(stages, next.result.registration.diagnostics.stages);
     ++num_attempts;
-    if (num_attempts == 1 || better(next, best)) best = std::move(next);
+    if (num_attempts == 1) {
+      best = std::move(next);
+    } else if (better(next, best)) {
+      best = refines ? with_clearer_matches(std::move(next), best, options) : std::move(next);
+    }
     if (best.result.verdict == Verdict::Trusted) break;
   }
   CloudResult& result = best.result;
   result.num_attempts = num_attempts;
   result.registration.diagnostics.stages = std::move(stages);
   if (refines) {
-    if (result.registration.status == Status::Ok) compare_with_rivals(best, *hypotheses, options);
-    result = frontend::settle(std::move(result), source, target, best.matched, options, deadline);
+    result.refinement.method = "icp";
+    result.refinement.note = "no pose to refine";
+    if (result.registration.status == Status::Ok) {
+      compare_with_rivals(best, *hypotheses, options);
+      result = frontend::settle(std::move(result), source, target, *best.voxels, best.matched,
+                                options, deadline);
+    }
     keep_alternatives(result.registration, options);
   }
   auto& limits_hit = result.registration.diagnostics.limits_hit;
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
   result.registration.diagnostics.total_seconds = stopwatch.elapsed();
   return std::move(result);
-}
-
-CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
-                      const Options& options) {
-  Result& registration = result.registration;
-  const Options solver = options_with_bound(options, result.matches);
-  Consensus consensus =
-      evaluate_consensus(target_from_source, result.matches.source, result.matches.target, solver);
-  Uncertainty uncertainty = evaluate_uncertainty(target_from_source, result.matches.source,
-                                                 result.matches.target, consensus.inliers, solver);
-  registration.target_from_source = target_from_source;
-  registration.inliers = std::move(consensus.inliers);
-  registration.evidence = consensus.evidence;
-  registration.consistent_scales = uncertainty.consistent_scales;
-  registration.covariance = std::move(uncertainty.covariance);
-  measure_fit(result, options);
-  frontend::judge(result);
-  return result;
 }
 
 }  // namespace gmcr

@@ -3,39 +3,46 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <numbers>
+#include <utility>
 
 #include "frontend/alignment/surface_fit.hpp"
 
 namespace gmcr::frontend {
 namespace {
 
-constexpr double kReach = 3;  // voxels: the matches put a pose within their noise bound
-constexpr Index kMaxSamples = 2500;
+constexpr double kReach = 3;         // voxels: the matches put a pose within their noise bound
+constexpr double kLeastStep = 1e-2;  // voxels
+constexpr Index kSamples = 2500;
+constexpr Index kFewSamples = 600;
 constexpr double kDistinct = 3;  // voxels
 
 }  // namespace
 
-SurfaceJudge::SurfaceJudge(const CloudMatches& matches, const Options& options)
-    : pair_(matches.source_voxels, matches.target_voxels),
-      voxel_(matches.target_voxel_size),
-      options_(options) {
-  const Points& points = matches.source_voxels;
-  const Eigen::Vector3d first = points.col(0);
-  const Eigen::Vector3d mean = (points.colwise() - first).rowwise().mean();
-  centroid_ = first + mean;
-  const Points arms = (points.colwise() - first).colwise() - mean;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(arms * arms.transpose() /
+SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options)
+    : pair_(std::move(pair)), voxel_(voxel), options_(options) {
+  const Points& points = pair_->source.points();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points * points.transpose() /
                                                               static_cast<double>(points.cols()));
   axes_ = solver.eigenvectors();
   variances_ = solver.eigenvalues();
+  centroid_ = pair_->source_centre();
+}
+
+Candidate SurfaceJudge::look(const Similarity& start, Index max_samples,
+                             const parallel::Deadline& deadline) {
+  const RefinedPose refined =
+      refine_pose(*pair_, start, {voxel_, kReach, max_samples, kLeastStep}, options_, deadline);
+  const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_, max_samples,
+                                          options_.num_threads);
+  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
 }
 
 Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
-  const RefinedPose refined =
-      refine_pose(pair_, start, {voxel_, kReach, kMaxSamples}, options_, deadline);
-  const SurfaceFit fit =
-      measure_surfaces(pair_, refined.target_from_source, voxel_, options_.num_threads);
-  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
+  return look(start, kSamples, deadline);
+}
+
+Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, kFewSamples, deadline);
 }
 
 std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "frontend/alignment/centred_pair.hpp"
@@ -22,11 +22,15 @@ struct Candidate {
 /// that poses of unlike attempts can be compared.
 class SurfaceJudge {
  public:
-  /// @param matches  of the first attempt, with at least one voxel of each cloud.
-  SurfaceJudge(const CloudMatches& matches, const Options& options);
+  /// @param pair   the voxels of the first attempt, shared with who measures its poses.
+  /// @param voxel  metres, target frame.
+  SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options);
 
   /// The pose near `start` at which the surfaces meet best.
   Candidate approach(const Similarity& start, const parallel::Deadline& deadline);
+
+  /// The same by fewer points, to see whether a closer look is worth its time.
+  Candidate glance(const Similarity& start, const parallel::Deadline& deadline);
 
   /// The pose turned by half about each principal axis of the source, through its centroid: how
   /// symmetric parts, corridors and bare ground are mistaken for themselves. Those that the priors
@@ -38,7 +42,9 @@ class SurfaceJudge {
   bool are_distinct(const Similarity& a, const Similarity& b) const;
 
  private:
-  CentredPair pair_;
+  Candidate look(const Similarity& start, Index max_samples, const parallel::Deadline& deadline);
+
+  std::shared_ptr<CentredPair> pair_;
   double voxel_;               ///< metres, target frame
   Eigen::Vector3d centroid_;   ///< of the source, metres
   Eigen::Matrix3d axes_;       ///< principal axes of the source, columns

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kNarrowRadius = 1.5;  // cells
 constexpr int kNarrowSteps = 12;
-constexpr double kLeastStep = 1e-3;    // cells
 constexpr double kLeastKernel = 0.02;  // cells
 
 /// One step at each radius on the way from the reach to the narrowest, where it settles.
@@ -19,7 +18,7 @@ std::vector<AlignmentRound> rounds_of(const RefinementScale& scale) {
     const double radius = share * scale.reach;
     if (radius > kNarrowRadius) rounds.push_back({radius, 1, 0, kLeastKernel});
   }
-  rounds.push_back({kNarrowRadius, kNarrowSteps, kLeastStep, kLeastKernel});
+  rounds.push_back({kNarrowRadius, kNarrowSteps, scale.least_step, kLeastKernel});
   for (AlignmentRound& round : rounds) {
     round.radius *= scale.cell;
     round.least_step *= scale.cell;

@@ -19,6 +19,7 @@ struct RefinementScale {
   double cell = 0;   ///< metres, target frame: spacing of the points
   double reach = 0;  ///< cells: how far the start may be off
   Index max_samples = 0;
+  double least_step = 0;  ///< cells: a shorter step ends it
 };
 
 /// Refines a pose of two clouds from wide to narrow (`align`), and keeps the start where the

@@ -9,12 +9,12 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr Index kMaxSamples = 2500;
 /// Agreement of normals at 26 and at 37 degrees between them.
 constexpr double kAlike = 0.8;
 constexpr double kMeeting = 0.6;
-/// Stiffness below which a motion is not held: normals of a noisy plane alone reach 0.01.
-constexpr double kWeak = 0.015;
+/// Stiffness below which a motion is not held. Bare ground leaves two of 0.002 to 0.007, since its
+/// normals are noisy; an object whose turn still is held has 0.01.
+constexpr double kWeak = 0.008;
 
 using Motion = Eigen::Matrix<double, 6, 1>;  // turn times the lever, shift
 
@@ -86,11 +86,11 @@ std::vector<WeakDirection> weak_directions_of(const std::vector<PlanePair>& pair
 }  // namespace
 
 SurfaceFit measure_surfaces(CentredPair& pair, const Similarity& target_from_source, double radius,
-                            int num_threads) {
+                            Index max_samples, int num_threads) {
   const Similarity pose = pair.centred(target_from_source);
   const auto pairs_of = [&](bool of_source) {
     const Samples samples =
-        sample_side(of_source ? pair.source : pair.target, of_source, kMaxSamples);
+        sample_side(of_source ? pair.source : pair.target, of_source, max_samples);
     return find_pairs(pair.source, pair.target, samples, pose, radius, num_threads);
   };
   PlanePairs forward = pairs_of(true);

@@ -5,11 +5,11 @@
 
 namespace gmcr::frontend {
 
-/// How the surfaces meet under a pose, from at most 2,500 points of each.
+/// How the surfaces meet under a pose, from at most so many points of each.
 /// @param target_from_source  of the caller's frames.
 /// @param radius  metres, target frame: what is nearer than that meets.
 /// Cost O(log N) for each sample. Deterministic for any thread count.
 SurfaceFit measure_surfaces(CentredPair& pair, const Similarity& target_from_source, double radius,
-                            int num_threads);
+                            Index max_samples, int num_threads);
 
 }  // namespace gmcr::frontend
