@@ -41,7 +41,9 @@ struct FrontendOptions {
   double noise_bound_voxels = 1.5;
 
   NormalOrientation orientation = NormalOrientation::Automatic;
-  Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();  ///< metres, source frame
+  /// Where the sensor was, metres, source frame. With the automatic orientation the origin is taken
+  /// for it only where it lies within five extents of the cloud.
+  Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();
   Eigen::Vector3d target_viewpoint = Eigen::Vector3d::Zero();  ///< metres, target frame
 
   /// Keep a match only where each point is the other's nearest in feature space.
@@ -149,6 +151,9 @@ struct CloudResult {
   SurfaceFit surfaces;  ///< of the pose
   /// Other poses at which the surfaces meet about as well: symmetry or repetition. Best first.
   std::vector<RivalPose> rivals;
+  /// What is odd about the clouds and may have gone wrong before they came here, a sentence each:
+  /// repeated points, quantised coordinates, unlike units, a mirrored cloud, an unknown viewpoint.
+  std::vector<std::string> notes;
 };
 
 /// Correspondences between two clouds: voxel grid, normals, FPFH (Rusu et al. 2009), nearest
@@ -169,7 +174,10 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// inliers and from how the surfaces meet.
 ///
 /// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
-/// `frontend.max_attempts`, and the best is kept.
+/// `frontend.max_attempts`. Unless `frontend.refine` is `None`, the poses of all attempts, their
+/// alternatives and the half turns of the best one are refined on the same voxels and compared by
+/// how their surfaces meet; the best is kept, and others that fit about as well are its `rivals`.
+/// A point that fills more than 1 % of a cloud counts once.
 /// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size, and with
 ///   `NoiseMode::Estimated` it comes from the matches of each attempt.
 /// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the

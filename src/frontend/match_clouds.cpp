@@ -133,7 +133,7 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   return frontend::match_with(source, target, frontend, options,
-                              frontend::list_settings(frontend).front());
+                              frontend::list_settings(frontend, {source, target}).front());
 }
 
 }  // namespace gmcr

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontend/cloud_notes.hpp"
 #include "frontend/cloud_pair.hpp"
 #include "frontend/hypotheses.hpp"
 #include "frontend/judged_pose.hpp"
@@ -97,7 +98,7 @@ Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypothe
   const Similarity matched = result.registration.target_from_source;
   const frontend::Candidate candidate = hypotheses->best_of(result.registration);
   result = frontend::take(std::move(result), candidate, *voxels, options);
-  clock.lap("refinement");
+  clock.lap("comparison");
   return {std::move(result), matched, candidate, std::move(voxels)};
 }
 
@@ -106,7 +107,7 @@ Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& o
   if (!best.voxels || best.result.registration.status != Status::Ok) return next;
   CloudResult other = frontend::take(best.result, next.candidate, *best.voxels, options);
   const auto key = [](const CloudResult& result) {
-    return std::tuple(result.matches.filtered, result.distinct_evidence);
+    return std::tuple(-static_cast<int>(result.verdict), result.distinct_evidence);
   };
   if (key(other) > key(next.result)) {
     next.result = std::move(other);
@@ -128,7 +129,7 @@ void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
     attempt.result =
         frontend::take(std::move(attempt.result), attempt.candidate, *attempt.voxels, options);
   }
-  clock.lap("refinement");
+  clock.lap("comparison");
 }
 
 /// Keeps the alternatives that the caller asked for.
@@ -140,10 +141,15 @@ void keep_alternatives(Result& registration, const Options& options) {
 
 /// How the surfaces meet tells more than the numbers of matches of unlike attempts.
 bool better(const Attempt& a, const Attempt& b) {
-  constexpr double kTrust = 1.1;  // what counts that are trusted are worth
   const auto worth = [](const Attempt& attempt) {
-    const bool is_trusted = attempt.result.verdict == Verdict::Trusted;
-    return (is_trusted ? kTrust : 1) * attempt.candidate.overlap;
+    switch (attempt.result.verdict) {
+      case Verdict::Trusted:
+        return 1.2 * attempt.candidate.overlap;
+      case Verdict::Doubtful:
+        return 1.1 * attempt.candidate.overlap;
+      default:
+        return attempt.candidate.overlap;
+    }
   };
   return worth(a) > worth(b);
 }
@@ -152,15 +158,9 @@ void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stage
   for (const StageTime& stage : stages) frontend::add_stage(sum, stage.name, stage.seconds);
 }
 
-}  // namespace
-
-CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
-                            const FrontendOptions& frontend, const Options& options) {
-  frontend::validate_pair(source, target, frontend, options);
-  if (!options.noise_bounds.empty()) {
-    throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
-                                            " values for matches that are not known yet");
-  }
+/// What `register_clouds` does with clouds in which no point is repeated much.
+CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
+                              const FrontendOptions& frontend, const Options& options) {
   const parallel::Stopwatch stopwatch;
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const bool refines = frontend.refine == Refine::Icp;
@@ -169,7 +169,8 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
-  for (const frontend::FrontendSetting& setting : frontend::list_settings(frontend)) {
+  for (const frontend::FrontendSetting& setting :
+       frontend::list_settings(frontend, {source, target})) {
     const bool too_many =
         num_attempts > 0 && best.result.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
@@ -213,6 +214,25 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
   result.registration.diagnostics.total_seconds = stopwatch.elapsed();
   return std::move(result);
+}
+
+}  // namespace
+
+CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
+                            const FrontendOptions& frontend, const Options& options) {
+  frontend::validate_pair(source, target, frontend, options);
+  if (!options.noise_bounds.empty()) {
+    throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
+                                            " values for matches that are not known yet");
+  }
+  const frontend::DistinctCloud from = frontend::without_repeats(source);
+  const frontend::DistinctCloud to = frontend::without_repeats(target);
+  CloudResult result = register_distinct(from.kept ? PointsRef(*from.kept) : source,
+                                         to.kept ? PointsRef(*to.kept) : target, frontend, options);
+  result.num_source_points = source.cols();
+  result.num_target_points = target.cols();
+  result.notes = frontend::notes_on(source, target, from, to, frontend, options, result);
+  return result;
 }
 
 }  // namespace gmcr

@@ -48,6 +48,7 @@ std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
   lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
                                    100 * result.fitness));
   if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));
+  for (const std::string& note : result.notes) lines.add("note", note, Tone::Fair);
   lines.add("verdict", fmt::format("{}: {}", to_string(result.verdict), result.verdict_reason),
             report::tone_of(result.verdict));
   return std::move(lines).take();

@@ -240,6 +240,7 @@ std::string to_json(const CloudResult& result, const ReportContext& context, int
   json["surfaces"] = report::fields_of(result.surfaces);
   json["ambiguous"] = !result.rivals.empty();
   json["rivals"] = report::fields_of(result.rivals);
+  json["notes"] = result.notes;
   return report::finish(std::move(json), report_lines(result, Detail::Full, context), context,
                         indent);
 }

@@ -48,7 +48,7 @@ struct Case {
   Similarity truth = some_motion();
   Points target = voxel_grid(truth.apply(bumpy_sphere(20000, 2)), 0.05);
   Similarity start = nudged(truth, truth.translation, 3, {0.03, -0.05, 0.04});
-  RefinementScale scale{0.05, 3, 2500};
+  RefinementScale scale{0.05, 3, 2500, 1e-3};
 
   double error(const Similarity& pose) const { return mean_point_error(pose, truth, source); }
 };
@@ -170,7 +170,7 @@ TEST(RefinePose, OfAPlaneStaysWhereItLiesAlongThePlane) {
   };
   Similarity start;
   start.translation = {0, 0, 0.04};
-  const RefinedPose result = refined(plane(), plane(), start, {0.05, 3, 2500}, {}, kNever);
+  const RefinedPose result = refined(plane(), plane(), start, {0.05, 3, 2500, 1e-3}, {}, kNever);
   EXPECT_NEAR(result.target_from_source.translation.z(), 0, 1e-6);
   EXPECT_LT(result.target_from_source.translation.head<2>().norm(), 0.02);
 }
