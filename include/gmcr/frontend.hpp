@@ -78,6 +78,8 @@ struct CloudMatches {
   /// Whether the mutual and the ratio test were applied; without them the number of matches that
   /// agree proves little.
   bool filtered = true;
+  /// Share of the source whose matches were sought before the time for it was up, in [0, 1].
+  double share_compared = 1;
   std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
 };
 
@@ -160,7 +162,9 @@ struct CloudResult {
 /// neighbours in feature space.
 ///
 /// @param source, target  3 x N and 3 x M, metres, finite; N and M may differ and may be 0.
-/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one` and `num_threads` are read.
+/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one`, `num_threads`, `time_limit`
+///   and `stop` are read; the search for nearest features takes at most 60 % of the time limit, and
+///   ends with what it has (`CloudMatches::share_compared`).
 /// @return no matches where a cloud has fewer than 3 distinct voxels or no surface.
 /// @throws std::invalid_argument where a point is not finite, an option is out of range, or the
 ///   cloud spans too many voxels to number them.

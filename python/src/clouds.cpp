@@ -31,6 +31,8 @@ void bind_matches(nb::module_& module) {
       .field("noise_bound", &CloudMatches::noise_bound, "Metres, for the registration.")
       .field("filtered", &CloudMatches::filtered,
              "Whether the mutual and the ratio test were applied.")
+      .field("share_compared", &CloudMatches::share_compared,
+             "Share of the source whose matches were sought before the time for it was up.")
       .field("stages", &CloudMatches::stages, "Stage -> seconds.")
       .read_only();
 }

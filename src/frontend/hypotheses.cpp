@@ -17,7 +17,7 @@ constexpr double kWorthALook = 0.75;
 
 Hypotheses::Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
                        const parallel::Deadline& deadline)
-    : judge_(std::move(pair), voxel, options), deadline_(deadline) {}
+    : judge_(std::move(pair), voxel, options), options_(options), deadline_(deadline) {}
 
 void Hypotheses::add(const Similarity& start, const Candidate& best) {
   if (deadline_.expired()) return;
@@ -30,6 +30,11 @@ Candidate Hypotheses::best_of(const Result& registration) {
   const Candidate first = judge_.approach(registration.target_from_source, deadline_);
   const std::size_t num_before = seen_.size();
   seen_.push_back(first);
+  if (num_before == 0 && options_.initial_pose) {
+    Similarity prior = options_.initial_pose->target_from_source;
+    prior.scale = first.target_from_source.scale;
+    add(prior, first);
+  }
   for (const Alternative& alternative : registration.alternatives) {
     add(alternative.target_from_source, first);
   }

@@ -15,8 +15,8 @@ class Hypotheses {
   Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
              const parallel::Deadline& deadline);
 
-  /// The one of the pose and the alternatives of a solve at which the surfaces meet best. The pose
-  /// itself stays where an alternative is hardly better.
+  /// The one of the pose and the alternatives of a solve, and at first of the initial pose, at
+  /// which the surfaces meet best. The pose itself stays where another one is hardly better.
   Candidate best_of(const Result& registration);
 
   /// The best of the half turns of a pose and of all poses that were seen, where the surfaces meet
@@ -31,6 +31,7 @@ class Hypotheses {
   void add(const Similarity& start, const Candidate& best);
 
   SurfaceJudge judge_;
+  const Options& options_;
   const parallel::Deadline& deadline_;
   std::vector<Candidate> seen_;
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -158,6 +159,27 @@ void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stage
   for (const StageTime& stage : stages) frontend::add_stage(sum, stage.name, stage.seconds);
 }
 
+/// Whether the mirrored source fits the target, by the first setting.
+bool fits_mirrored(const PointsRef& source, const PointsRef& target,
+                   const FrontendOptions& frontend, const Options& options,
+                   const parallel::Deadline& deadline) {
+  if (deadline.expired() || !options.admit_all()) return false;
+  Points mirrored = source;
+  mirrored.row(0) *= -1;
+  FrontendOptions seen = frontend;
+  seen.source_viewpoint.x() *= -1;
+  Options remaining = with_hypotheses(options);
+  remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
+  auto tried = attempt(mirrored, target, seen, remaining,
+                       frontend::list_settings(seen, {mirrored, target}).front(), false);
+  if (!tried) return false;
+  std::optional<frontend::Hypotheses> hypotheses;
+  Attempt best = refined(std::move(*tried), hypotheses, options, deadline);
+  if (best.result.registration.status != Status::Ok) return false;
+  compare_with_rivals(best, *hypotheses, options);
+  return best.result.verdict == Verdict::Trusted;
+}
+
 /// What `register_clouds` does with clouds in which no point is repeated much.
 CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
                               const FrontendOptions& frontend, const Options& options) {
@@ -189,6 +211,11 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
                            : judged(std::move(*tried), options);
     add_stages(stages, next.result.matches.stages);
     add_stages(stages, next.result.registration.diagnostics.stages);
+    if (next.result.matches.share_compared < 1) {
+      const long percent = std::lround(100 * next.result.matches.share_compared);
+      limits.push_back({Limit::Time, "the time budget ended the matching after " +
+                                         std::to_string(percent) + " % of the source"});
+    }
     ++num_attempts;
     if (num_attempts == 1) {
       best = std::move(next);
@@ -209,6 +236,12 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
                                 options, deadline);
     }
     keep_alternatives(result.registration, options);
+    if (result.verdict != Verdict::Trusted &&
+        fits_mirrored(source, target, frontend, options, deadline)) {
+      result.notes.push_back(
+          "the mirrored source fits the target: one of the clouds is left-handed, negate one of "
+          "its coordinates");
+    }
   }
   auto& limits_hit = result.registration.diagnostics.limits_hit;
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
@@ -231,7 +264,10 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                                          to.kept ? PointsRef(*to.kept) : target, frontend, options);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
-  result.notes = frontend::notes_on(source, target, from, to, frontend, options, result);
+  for (std::string& note :
+       frontend::notes_on(source, target, from, to, frontend, options, result)) {
+    result.notes.push_back(std::move(note));
+  }
   return result;
 }
 

@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "frontend/alignment/surface_fit.hpp"
 #include "frontend/cloud_notes.hpp"
@@ -196,6 +201,49 @@ TEST(RegisterClouds, CountsARepeatedPointOnceAndSaysSo) {
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("45000 of the 50000 points of the source"), std::string::npos)
       << result.notes[0];
+}
+
+TEST(RegisterClouds, SaysThatACloudIsLeftHanded) {
+  const Points source = bumpy_sphere(6000, 1);
+  Points mirrored = some_motion().apply(bumpy_sphere(6000, 2));
+  mirrored.row(1) *= -1;
+  FrontendOptions frontend;
+  frontend.orientation = NormalOrientation::Outward;
+  const CloudResult result = register_clouds(source, mirrored, frontend);
+  EXPECT_NE(result.verdict, Verdict::Trusted);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("left-handed"), std::string::npos);
+}
+
+TEST(RegisterClouds, TakesTheRefinedPriorForAHypothesis) {
+  const Points source = corridor(0, 1);
+  const Points target = some_motion().apply(corridor(0.7, 2));
+  Options options;
+  InitialPose prior;
+  prior.target_from_source = some_motion();
+  prior.target_from_source.translation += some_motion().rotation * Vector3d(-0.7, 0.1, 0);
+  prior.max_rotation = 0.2;
+  prior.max_translation = 0.5;
+  options.initial_pose = prior;
+  const CloudResult result = register_clouds(source, target, {}, options);
+  EXPECT_TRUE(options.admit(result.registration.target_from_source));
+  EXPECT_GT(result.surfaces.overlap(), 1.5);
+}
+
+TEST(RegisterClouds, EndsWithTheTimeLimitWhereTheMatchingTakesLong) {
+  Options options;
+  options.time_limit = 0.3;
+  options.num_threads = 2;
+  FrontendOptions frontend;
+  frontend.voxel_size = 0.005;
+  const CloudResult result = register_clouds(
+      bumpy_sphere(40000, 1), some_motion().apply(bumpy_sphere(40000, 2)), frontend, options);
+  EXPECT_LT(result.matches.share_compared, 1);
+  EXPECT_LT(result.registration.diagnostics.total_seconds, 10);
+  const auto& hit = result.registration.diagnostics.limits_hit;
+  EXPECT_TRUE(std::any_of(hit.begin(), hit.end(), [](const LimitHit& limit) {
+    return limit.sentence.find("ended the matching") != std::string::npos;
+  }));
 }
 
 TEST(CloudNotes, NameUnitsAndSteps) {
