@@ -41,7 +41,9 @@ struct FrontendOptions {
   double noise_bound_voxels = 1.5;
 
   NormalOrientation orientation = NormalOrientation::Automatic;
-  Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();  ///< metres, source frame
+  /// Where the sensor was, metres, source frame. With the automatic orientation the origin is taken
+  /// for it only where it lies within five extents of the cloud.
+  Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();
   Eigen::Vector3d target_viewpoint = Eigen::Vector3d::Zero();  ///< metres, target frame
 
   /// Keep a match only where each point is the other's nearest in feature space.
@@ -76,6 +78,8 @@ struct CloudMatches {
   /// Whether the mutual and the ratio test were applied; without them the number of matches that
   /// agree proves little.
   bool filtered = true;
+  /// Share of the source whose matches were sought before the time for it was up, in [0, 1].
+  double share_compared = 1;
   std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
 };
 
@@ -87,6 +91,32 @@ struct Refinement {
   /// Standard deviation of the distance of the surfaces that meet, along their normals, metres,
   /// target frame; 0 where the pose was not refined.
   double noise = 0;
+};
+
+/// A small motion of the source that the surfaces hardly resist.
+struct WeakDirection {
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();   ///< unit axis, target frame; 0: no turn
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< unit, target frame; 0 where it is a turn
+  /// Mean square of the motion along the normals over that of the motion, in [0, 1].
+  double stiffness = 0;
+};
+
+/// How the surfaces of two clouds meet under a pose, by the normals of their voxels.
+struct SurfaceFit {
+  double source_share = 0;  ///< of the source that the target covers, with its normals, in [0, 1]
+  double target_share = 0;  ///< of the target that the source covers, with its normals
+  double agreement = 0;     ///< share of the voxels that meet whose normals are within 26 degrees
+  double noise = 0;         ///< standard deviation of the distance along the normals, metres
+  std::vector<WeakDirection> weak_directions;  ///< what the surfaces leave open, weakest first
+
+  /// Sum of the two shares: of two poses on the same voxels the better one has more.
+  double overlap() const { return source_share + target_share; }
+};
+
+/// Another pose of the surfaces that was looked at, refined alike.
+struct RivalPose {
+  Similarity target_from_source;
+  double overlap = 0;  ///< over that of the pose that is returned: near 1, the surfaces fit as well
 };
 
 struct CloudResult {
@@ -110,13 +140,21 @@ struct CloudResult {
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried
   Refinement refinement;
+  SurfaceFit surfaces;  ///< of the pose
+  /// Other poses at which the surfaces meet about as well: symmetry or repetition. Best first.
+  std::vector<RivalPose> rivals;
+  /// What is odd about the clouds and may have gone wrong before they came here, a sentence each:
+  /// repeated points, quantised coordinates, unlike units, a mirrored cloud, an unknown viewpoint.
+  std::vector<std::string> notes;
 };
 
 /// Correspondences between two clouds: voxel grid, normals, FPFH (Rusu et al. 2009), nearest
 /// neighbours in feature space.
 ///
 /// @param source, target  3 x N and 3 x M, metres, finite; N and M may differ and may be 0.
-/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one` and `num_threads` are read.
+/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one`, `num_threads`, `time_limit`
+///   and `stop` are read; the search for nearest features takes at most 60 % of the time limit, and
+///   ends with what it has (`CloudMatches::share_compared`).
 /// @return no matches where a cloud has fewer than 3 distinct voxels or no surface.
 /// @throws std::invalid_argument where a point is not finite, an option is out of range, or the
 ///   cloud spans too many voxels to number them.
@@ -130,7 +168,10 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// inliers and from how the surfaces meet.
 ///
 /// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
-/// `frontend.max_attempts`, and the best is kept.
+/// `frontend.max_attempts`. Unless `frontend.refine` is `None`, the poses of all attempts, their
+/// alternatives and the half turns of the best one are refined on the same voxels and compared by
+/// how their surfaces meet; the best is kept, and others that fit about as well are its `rivals`.
+/// A point that fills more than 1 % of a cloud counts once.
 /// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size, and with
 ///   `NoiseMode::Estimated` it comes from the matches of each attempt.
 /// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the
@@ -158,6 +199,7 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
 /// covariance, consistent scales, fitness, overlap RMSE and verdict are those of the new pose; the
 /// certificate, which speaks of the matches, and the alternatives stay.
 /// @param options  that the result was computed with.
+/// @throws std::invalid_argument where the result is of no clouds.
 /// Cost O(N log N).
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options);

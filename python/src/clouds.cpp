@@ -31,6 +31,8 @@ void bind_matches(nb::module_& module) {
       .field("noise_bound", &CloudMatches::noise_bound, "Metres, for the registration.")
       .field("filtered", &CloudMatches::filtered,
              "Whether the mutual and the ratio test were applied.")
+      .field("share_compared", &CloudMatches::share_compared,
+             "Share of the source whose matches were sought before the time for it was up.")
       .field("stages", &CloudMatches::stages, "Stage -> seconds.")
       .read_only();
 }
@@ -43,6 +45,32 @@ void bind_refinement(nb::module_& module) {
       .field("noise", &Refinement::noise,
              "Standard deviation of the distance of the surfaces that meet, metres; 0 where the "
              "pose was not refined.")
+      .read_only();
+}
+
+void bind_surfaces(nb::module_& module) {
+  Record<WeakDirection>(module, "WeakDirection",
+                        "A small motion of the source that the surfaces hardly resist.")
+      .field("turn", &WeakDirection::turn, "(3,), unit axis, target frame; 0: no turn.")
+      .field("shift", &WeakDirection::shift, "(3,), unit, target frame; 0 where it is a turn.")
+      .field("stiffness", &WeakDirection::stiffness,
+             "Mean square of the motion along the normals over that of the motion, in [0, 1].")
+      .read_only();
+  Record<SurfaceFit>(module, "SurfaceFit", "How the surfaces of two clouds meet under a pose.")
+      .field("source_share", &SurfaceFit::source_share,
+             "Share of the source that the target covers, with its normals, in [0, 1].")
+      .field("target_share", &SurfaceFit::target_share,
+             "Share of the target that the source covers, with its normals, in [0, 1].")
+      .field("agreement", &SurfaceFit::agreement,
+             "Share of the voxels that meet whose normals are within 26 degrees.")
+      .field("noise", &SurfaceFit::noise,
+             "Standard deviation of the distance along the normals, metres.")
+      .field("weak_directions", &SurfaceFit::weak_directions,
+             "List of WeakDirection: what the surfaces leave open, weakest first.")
+      .read_only();
+  Record<RivalPose>(module, "RivalPose", "Another pose at which the surfaces meet about as well.")
+      .field("target_from_source", &RivalPose::target_from_source, "Similarity.")
+      .field("overlap", &RivalPose::overlap, "Over that of the pose that is returned.")
       .read_only();
 }
 
@@ -66,6 +94,10 @@ void bind_cloud_result(nb::module_& module) {
           .field("verdict_reason", &CloudResult::verdict_reason, "One sentence.")
           .field("num_attempts", &CloudResult::num_attempts, "Settings that were tried.")
           .field("refinement", &CloudResult::refinement, "What the refinement did to the pose.")
+          .field("surfaces", &CloudResult::surfaces, "SurfaceFit of the pose.")
+          .field("rivals", &CloudResult::rivals,
+                 "List of RivalPose: symmetry or repetition, best first.")
+          .field("notes", &CloudResult::notes, "What is odd about the clouds, in sentences.")
           .read_only(&describe);
   result.def_prop_ro(
       "target_from_source",
@@ -87,6 +119,7 @@ void bind_cloud_result(nb::module_& module) {
 void bind_clouds(nb::module_& module) {
   bind_matches(module);
   bind_refinement(module);
+  bind_surfaces(module);
   bind_cloud_result(module);
   module.def("match_clouds", [](const PointsArray& source, const PointsArray& target,
                                 const FrontendOptions& frontend, const Options& options) {

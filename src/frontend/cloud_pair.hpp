@@ -14,10 +14,23 @@ struct FrontendSetting {
   /// that is not below the spacing of the points.
   bool keep_all_matches = false;
   double feature_radius_factor = 1;  ///< of `FrontendOptions::feature_radius`
+
+  bool operator==(const FrontendSetting&) const = default;
 };
 
-/// The settings that `frontend` allows, most promising first; at least one.
-std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend);
+/// The two clouds of a caller.
+struct Clouds {
+  const PointsRef& source;
+  const PointsRef& target;
+};
+
+/// Whether `viewpoint` is the origin, which nobody named, and the cloud lies farther from it than
+/// any sensor would see: then where the sensor was is unknown.
+bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpoint);
+
+/// The settings that `frontend` allows, most promising first, each once; at least one. Where the
+/// orientation is automatic, a cloud whose viewpoint is unknown has its normals outward.
+std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, const Clouds& clouds);
 
 /// @throws std::invalid_argument where the clouds or the options break the contract of
 ///   `match_clouds`.

@@ -89,10 +89,12 @@ struct NearestBothWays {
   std::vector<Nearest> of_target;
 };
 
-/// Compares sources [begin, end) with all targets.
+/// Compares sources [begin, end) with all targets, until the deadline.
 void compare_block(const Features& source, const Interleaved& targets, Index begin, Index end,
-                   std::vector<Nearest>& of_source, std::vector<Nearest>& of_target) {
+                   const parallel::Deadline& deadline, std::vector<Nearest>& of_source,
+                   std::vector<Nearest>& of_target) {
   for (Index first = begin; first < end; first += kQueries) {
+    if (deadline.expired()) return;
     const int count = static_cast<int>(std::min<Index>(kQueries, end - first));
     std::array<const float*, kQueries> queries;
     for (int q = 0; q < kQueries; ++q) {
@@ -110,7 +112,8 @@ void compare_block(const Features& source, const Interleaved& targets, Index beg
   }
 }
 
-NearestBothWays find_nearest(const Features& source, const Features& target, int num_threads) {
+NearestBothWays find_nearest(const Features& source, const Features& target,
+                             const MatchingOptions& options) {
   const Interleaved targets(target);
   const auto num_slots = static_cast<std::size_t>(targets.num_groups() * kLanes);
   NearestBothWays nearest;
@@ -120,10 +123,10 @@ NearestBothWays find_nearest(const Features& source, const Features& target, int
   // a bounded number of blocks, each with its own best sources; merged in order
   const Index grain = std::max<Index>(256, (source.cols() + 31) / 32);
   std::vector<std::vector<Nearest>> block_best((source.cols() + grain - 1) / grain);
-  parallel::parallel_for(source.cols(), grain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(source.cols(), grain, options.num_threads, [&](Index begin, Index end) {
     auto& of_target = block_best[begin / grain];
     of_target.resize(num_slots);
-    compare_block(source, targets, begin, end, nearest.of_source, of_target);
+    compare_block(source, targets, begin, end, options.deadline, nearest.of_source, of_target);
   });
   for (const auto& of_target : block_best) {
     for (std::size_t j = 0; j < num_slots; ++j) {
@@ -135,29 +138,34 @@ NearestBothWays find_nearest(const Features& source, const Features& target, int
 
 }  // namespace
 
-std::vector<FeatureMatch> match_features(const Features& source, const Features& target,
-                                         const MatchingOptions& options) {
+FeatureMatches match_features(const Features& source, const Features& target,
+                              const MatchingOptions& options) {
   const Compacted sources = keep_nonzero(source);
   const Compacted targets = keep_nonzero(target);
-  std::vector<FeatureMatch> matches;
+  FeatureMatches matches;
   if (sources.columns.empty() || targets.columns.empty()) return matches;
-  const NearestBothWays nearest =
-      find_nearest(sources.features, targets.features, options.num_threads);
+  const NearestBothWays nearest = find_nearest(sources.features, targets.features, options);
   const float squared_ratio = options.max_ratio * options.max_ratio;
   std::vector<Nearest> closest(targets.columns.size());
+  Index num_compared = 0;
   for (std::size_t i = 0; i < sources.columns.size(); ++i) {
     const Nearest& best = nearest.of_source[i];
+    if (best.index < 0) continue;
+    ++num_compared;
     closest[static_cast<std::size_t>(best.index)].offer(best.squared_distance,
                                                         static_cast<Index>(i));
   }
   for (std::size_t i = 0; i < sources.columns.size(); ++i) {
     const Nearest& best = nearest.of_source[i];
+    if (best.index < 0) continue;
     const auto j = static_cast<std::size_t>(best.index);
     if (options.mutual && nearest.of_target[j].index != static_cast<Index>(i)) continue;
     if (options.max_ratio < 1 && best.squared_distance > squared_ratio * best.second) continue;
     if (options.one_to_one && closest[j].index != static_cast<Index>(i)) continue;
-    matches.push_back({sources.columns[i], targets.columns[j]});
+    matches.pairs.push_back({sources.columns[i], targets.columns[j]});
   }
+  matches.share_compared =
+      static_cast<double>(num_compared) / static_cast<double>(sources.columns.size());
   return matches;
 }
 

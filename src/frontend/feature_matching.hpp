@@ -4,6 +4,7 @@
 
 #include "frontend/fpfh.hpp"
 #include "gmcr/types.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr::frontend {
 
@@ -12,6 +13,7 @@ struct MatchingOptions {
   float max_ratio = 1;  ///< of the distances to the nearest and the second nearest, (0, 1]
   int num_threads = 0;
   bool one_to_one = false;  ///< of the matches of a target, the closest only
+  parallel::Deadline deadline = parallel::Deadline::never();  ///< ends the search where it is
 };
 
 struct FeatureMatch {
@@ -19,14 +21,19 @@ struct FeatureMatch {
   Index target;
 };
 
+struct FeatureMatches {
+  std::vector<FeatureMatch> pairs;
+  double share_compared = 1;  ///< of the source features that have been compared with all
+};
+
 /// Nearest target feature of each source feature, by Euclidean distance; ties to the smallest
 /// index. Columns that are 0 have no feature and match nothing.
 ///
 /// Compares all with all: in 33 dimensions a k-d tree visits most of the points anyway, and the
 /// plain loop runs at the speed of the vector units.
-/// @return in ascending order of the source.
+/// @return in ascending order of the source; where the deadline ended the search, of a part of it.
 /// Cost O(N M). Deterministic for any thread count.
-std::vector<FeatureMatch> match_features(const Features& source, const Features& target,
-                                         const MatchingOptions& options);
+FeatureMatches match_features(const Features& source, const Features& target,
+                              const MatchingOptions& options);
 
 }  // namespace gmcr::frontend

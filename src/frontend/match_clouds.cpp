@@ -7,6 +7,7 @@
 #include "frontend/extent.hpp"
 #include "frontend/feature_matching.hpp"
 #include "frontend/surface.hpp"
+#include "parallel/deadline.hpp"
 
 namespace gmcr {
 namespace {
@@ -14,6 +15,10 @@ namespace {
 /// Voxel over the extent of the cloud: fine enough for FPFH to see the shape, coarse enough for a
 /// few thousand points.
 constexpr double kVoxelShare = 0.015;
+
+/// Share of the time that is left that may go to the search for nearest features: the rest is for
+/// the pose.
+constexpr double kMatchingShare = 0.6;
 
 struct VoxelSizes {
   double source;
@@ -88,6 +93,7 @@ void frontend::validate_pair(const PointsRef& source, const PointsRef& target,
 CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& target,
                                   const FrontendOptions& asked, const Options& options,
                                   const frontend::FrontendSetting& setting) {
+  const parallel::Deadline deadline(options.time_limit, options.stop);
   FrontendOptions frontend = asked;
   frontend.feature_radius *= setting.feature_radius_factor;
   if (setting.keep_all_matches) {
@@ -114,10 +120,12 @@ CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& targ
       frontend::describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
   const frontend::Features target_features =
       frontend::describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto pairs = frontend::match_features(
+  const auto found = frontend::match_features(
       source_features, target_features,
-      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one});
-  for (const frontend::FeatureMatch& pair : pairs) {
+      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one,
+       deadline.within(kMatchingShare * deadline.remaining())});
+  matches.share_compared = found.share_compared;
+  for (const frontend::FeatureMatch& pair : found.pairs) {
     matches.source_indices.push_back(pair.source);
     matches.target_indices.push_back(pair.target);
   }
@@ -133,7 +141,7 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   return frontend::match_with(source, target, frontend, options,
-                              frontend::list_settings(frontend).front());
+                              frontend::list_settings(frontend, {source, target}).front());
 }
 
 }  // namespace gmcr

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "frontend/alignment/surface_cloud.hpp"
 #include "gmcr/similarity.hpp"
-#include "gmcr/types.hpp"
 
 namespace gmcr::frontend {
 
@@ -13,10 +13,10 @@ struct Overlap {
 
 /// Overlap of the transformed source with the target.
 ///
+/// @param target_from_source  between the centred frames.
 /// @param radius  metres, target frame, > 0.
-/// @return zeros where a cloud is empty.
-/// Cost O((N + M) log M). Deterministic for any thread count.
-Overlap measure_overlap(const PointsRef& source, const PointsRef& target,
+/// Cost O(N log M). Deterministic for any thread count.
+Overlap measure_overlap(const SurfaceCloud& source, const SurfaceCloud& target,
                         const Similarity& target_from_source, double radius, int num_threads);
 
 }  // namespace gmcr::frontend

@@ -6,6 +6,7 @@
 
 #include "frontend/alignment/refine_pose.hpp"
 #include "frontend/cloud_pair.hpp"
+#include "frontend/judged_pose.hpp"
 #include "frontend/stage_clock.hpp"
 #include "gmcr/metrics.hpp"
 
@@ -13,20 +14,10 @@ namespace gmcr {
 namespace frontend {
 namespace {
 
-// The pose of the matches is off by up to their noise bound; that of the voxels by far less.
-constexpr double kApproachReach = 3;  // voxels
-constexpr Index kApproachSamples = 2500;
 constexpr double kCell = 0.5;         // voxels: cells of the finer clouds
 constexpr double kSettleReach = 1.5;  // cells
+constexpr double kSettleStep = 1e-3;  // cells
 constexpr Index kSettleSamples = 6000;
-
-/// The pose in place of that of the result, where the surfaces meet more closely there.
-CloudResult take(CloudResult result, const RefinedPose& refined, const Options& options) {
-  if (!refined.is_applied) return result;
-  result.refinement.is_applied = true;
-  result.refinement.noise = refined.noise;
-  return with_pose(std::move(result), refined.target_from_source, options);
-}
 
 std::string note_on(const CloudResult& result, const Similarity& matched) {
   if (!result.refinement.is_applied) {
@@ -47,34 +38,23 @@ void note_time(CloudResult& result, const parallel::Deadline& deadline) {
 
 }  // namespace
 
-CloudResult approach(CloudResult result, const Options& options,
-                     const parallel::Deadline& deadline) {
-  if (result.registration.status != Status::Ok) return result;
-  StageClock clock(result.registration.diagnostics.stages);
-  const CloudMatches& matches = result.matches;
-  const RefinedPose refined = refine_pose(
-      matches.source_voxels, matches.target_voxels, result.registration.target_from_source,
-      {matches.target_voxel_size, kApproachReach, kApproachSamples}, options, deadline);
-  result = take(std::move(result), refined, options);
-  clock.lap("refinement");
-  return result;
-}
-
 CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef& target,
-                   const Similarity& matched, const Options& options,
+                   CentredPair& voxels, const Similarity& matched, const Options& options,
                    const parallel::Deadline& deadline) {
   result.refinement.method = "icp";
-  result.refinement.note = "no pose to refine";
-  if (result.registration.status != Status::Ok) return result;
   StageClock clock(result.registration.diagnostics.stages);
   if (!deadline.expired()) {
     const CloudMatches& matches = result.matches;
     const double cell = kCell * matches.target_voxel_size;
+    CentredPair pair(voxel_grid(source, kCell * matches.source_voxel_size),
+                     voxel_grid(target, cell));
     const RefinedPose refined =
-        refine_pose(voxel_grid(source, kCell * matches.source_voxel_size), voxel_grid(target, cell),
-                    result.registration.target_from_source, {cell, kSettleReach, kSettleSamples},
-                    options, deadline);
-    result = take(std::move(result), refined, options);
+        refine_pose(pair, result.registration.target_from_source,
+                    {cell, kSettleReach, kSettleSamples, kSettleStep}, options, deadline);
+    if (refined.is_applied) {
+      const Candidate candidate{refined.target_from_source, true, refined.noise, 0};
+      result = take(std::move(result), candidate, voxels, options);
+    }
   }
   note_time(result, deadline);
   result.refinement.note = note_on(result, matched);
@@ -89,8 +69,14 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
   frontend::validate_pair(source, target, {}, options);
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const Similarity matched = result.registration.target_from_source;
-  result = frontend::approach(std::move(result), options, deadline);
-  return frontend::settle(std::move(result), source, target, matched, options, deadline);
+  if (result.registration.status != Status::Ok) {
+    result.refinement.note = "no pose to refine";
+    return result;
+  }
+  const auto voxels = frontend::voxel_pair(result.matches);
+  frontend::SurfaceJudge judge(voxels, result.matches.target_voxel_size, options);
+  result = frontend::take(std::move(result), judge.approach(matched, deadline), *voxels, options);
+  return frontend::settle(std::move(result), source, target, *voxels, matched, options, deadline);
 }
 
 }  // namespace gmcr

@@ -1,19 +1,19 @@
 #pragma once
 
+#include "frontend/surface_judge.hpp"
 #include "gmcr/frontend.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr::frontend {
 
-/// Moves the pose of `result` to where its voxel clouds meet best, and judges it anew; adds to the
-/// stage "refinement". A result without a pose of its own stays as it is.
-CloudResult approach(CloudResult result, const Options& options,
-                     const parallel::Deadline& deadline);
-
-/// The same on finer voxels of the clouds, from a pose that is nearly there.
+/// Moves the pose of `result` to where finer voxels of its clouds meet best, from where it is
+/// nearly there, and judges it anew; adds to the stage "refinement". A result without a pose stays
+/// as it is.
+/// @param result  with a pose.
+/// @param voxels  the voxel clouds of `result.matches`.
 /// @param matched  the pose that the matches gave, of which the note speaks.
 CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef& target,
-                   const Similarity& matched, const Options& options,
+                   CentredPair& voxels, const Similarity& matched, const Options& options,
                    const parallel::Deadline& deadline);
 
 }  // namespace gmcr::frontend

@@ -1,12 +1,15 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "frontend/cloud_notes.hpp"
 #include "frontend/cloud_pair.hpp"
-#include "frontend/overlap.hpp"
+#include "frontend/hypotheses.hpp"
+#include "frontend/judged_pose.hpp"
 #include "frontend/refine_clouds.hpp"
 #include "frontend/stage_clock.hpp"
 #include "frontend/verdict.hpp"
@@ -20,58 +23,43 @@ namespace {
 /// Source voxels above which an attempt that keeps all matches costs more than it is worth.
 constexpr Index kMostUnfiltered = 3000;
 
-/// Options to solve with, or to judge a pose with: by then the bound is known.
-Options options_with_bound(const Options& options, const CloudMatches& matches) {
-  Options given = options;
-  given.noise_mode = NoiseMode::Given;
-  given.noise_bound = matches.noise_bound;
-  return given;
-}
-
 /// Registers the matches, with the bound that they come with or one from the matches themselves,
 /// which then is theirs.
 Result register_matches(CloudMatches& matches, const Options& options) {
   if (options.noise_mode == NoiseMode::Given) {
     return register_correspondences(matches.source, matches.target,
-                                    options_with_bound(options, matches));
+                                    frontend::options_with_bound(options, matches));
   }
   Result result = register_correspondences(matches.source, matches.target, options);
   if (result.noise_estimate) matches.noise_bound = result.noise_estimate->noise_bound;
   return result;
 }
 
-/// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
-void measure_fit(CloudResult& result, const Options& options) {
-  const CloudMatches& matches = result.matches;
-  const Similarity& pose = result.registration.target_from_source;
-  const double radius = matches.target_voxel_size;
-  const frontend::Overlap forward = frontend::measure_overlap(
-      matches.source_voxels, matches.target_voxels, pose, radius, options.num_threads);
-  const frontend::Overlap backward =
-      frontend::measure_overlap(matches.target_voxels, matches.source_voxels, pose.inverse(),
-                                radius / pose.scale, options.num_threads);
-  result.fitness = forward.fitness;
-  result.overlap_rmse = forward.rmse;
-  result.target_fitness = backward.fitness;
-  Options distinct = options_with_bound(options, matches);
-  distinct.evidence = Evidence::Distinct;
-  result.distinct_evidence =
-      evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
+/// Poses of the matches of an attempt that the surfaces choose from.
+constexpr int kHypotheses = 4;
+
+/// The options with so many hypotheses, where the method has several.
+Options with_hypotheses(Options options) {
+  if (options.method == Method::Gmcr) {
+    options.num_hypotheses = std::max(options.num_hypotheses, kHypotheses);
+  }
+  return options;
 }
 
-/// A judged pose, and the one that the matches gave.
+/// A result that may be returned.
 struct Attempt {
   CloudResult result;
-  Similarity matched;
+  Similarity matched;             ///< the pose that the matches gave
+  frontend::Candidate candidate;  ///< its pose; its overlap is what attempts are compared by
+  std::shared_ptr<frontend::CentredPair> voxels;  ///< of the matches; null: none
 };
 
-/// One attempt from raw clouds to a judged pose, refined on its voxels where that is asked for.
+/// One attempt from raw clouds to a pose of the matches.
 /// @return nullopt where the graph of the matches exceeds the memory budget and this is not the
 ///   `first` attempt, which would throw.
-std::optional<Attempt> attempt(const PointsRef& source, const PointsRef& target,
-                               const FrontendOptions& frontend, const Options& options,
-                               const frontend::FrontendSetting& setting, bool first) {
-  const parallel::Deadline deadline(options.time_limit, options.stop);
+std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
+                                   const FrontendOptions& frontend, const Options& options,
+                                   const frontend::FrontendSetting& setting, bool first) {
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
@@ -81,26 +69,184 @@ std::optional<Attempt> attempt(const PointsRef& source, const PointsRef& target,
     return std::nullopt;
   }
   result.registration = register_matches(result.matches, options);
-  const Status status = result.registration.status;
-  if (status == Status::Ok || status == Status::Degenerate) measure_fit(result, options);
-  frontend::judge(result);
-  const Similarity matched = result.registration.target_from_source;
-  if (frontend.refine == Refine::Icp) {
-    result = frontend::approach(std::move(result), options, deadline);
-  }
-  return Attempt{std::move(result), matched};
+  return result;
 }
 
-/// Below trust, how the surfaces meet tells more than the numbers of matches of unlike attempts.
-bool better(const CloudResult& a, const CloudResult& b) {
-  const auto key = [](const CloudResult& r) {
-    return std::tuple(r.verdict == Verdict::Trusted, r.fitness + r.target_fitness);
+/// Judges the pose of the matches as it is.
+Attempt judged(CloudResult result, const Options& options) {
+  const Similarity pose = result.registration.target_from_source;
+  const Status status = result.registration.status;
+  auto voxels = frontend::voxel_pair(result.matches);
+  if (status == Status::Ok || status == Status::Degenerate) {
+    frontend::judge_pose(result, *voxels, options);
+  } else {
+    frontend::judge(result);
+  }
+  const double overlap = result.fitness + result.target_fitness;
+  return {std::move(result), pose, {pose, false, 0, overlap}, std::move(voxels)};
+}
+
+/// Judges the pose of the matches, or the alternative at which the surfaces meet best.
+/// @param hypotheses  of all attempts, made by the first that has a pose.
+Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypotheses,
+                const Options& options, const parallel::Deadline& deadline) {
+  if (result.registration.status != Status::Ok) return judged(std::move(result), options);
+  frontend::StageClock clock(result.registration.diagnostics.stages);
+  auto voxels = frontend::voxel_pair(result.matches);
+  if (!hypotheses) {
+    hypotheses.emplace(voxels, result.matches.target_voxel_size, options, deadline);
+  }
+  const Similarity matched = result.registration.target_from_source;
+  const frontend::Candidate candidate = hypotheses->best_of(result.registration);
+  result = frontend::take(std::move(result), candidate, *voxels, options);
+  clock.lap("comparison");
+  return {std::move(result), matched, candidate, std::move(voxels)};
+}
+
+/// The pose of `next` with the matches that speak for it more clearly, its own or those of `best`.
+Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& options) {
+  if (!best.voxels || best.result.registration.status != Status::Ok) return next;
+  CloudResult other = frontend::take(best.result, next.candidate, *best.voxels, options);
+  const auto key = [](const CloudResult& result) {
+    return std::tuple(-static_cast<int>(result.verdict), result.distinct_evidence);
   };
-  return key(a) > key(b);
+  if (key(other) > key(next.result)) {
+    next.result = std::move(other);
+    next.voxels = best.voxels;
+  }
+  return next;
+}
+
+/// Looks at the rivals of a pose, and takes one that is clearly better.
+void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
+                         const Options& options) {
+  frontend::StageClock clock(attempt.result.registration.diagnostics.stages);
+  const Similarity before = attempt.candidate.target_from_source;
+  attempt.candidate = hypotheses.challenged(attempt.candidate);
+  attempt.result.rivals = hypotheses.rivals_of(attempt.candidate);
+  if (attempt.candidate.target_from_source.matrix() == before.matrix()) {
+    frontend::judge(attempt.result);
+  } else {
+    attempt.result =
+        frontend::take(std::move(attempt.result), attempt.candidate, *attempt.voxels, options);
+  }
+  clock.lap("comparison");
+}
+
+/// Keeps the alternatives that the caller asked for.
+void keep_alternatives(Result& registration, const Options& options) {
+  const auto asked = static_cast<std::size_t>(options.num_hypotheses - 1);
+  auto& alternatives = registration.alternatives;
+  alternatives.resize(std::min(alternatives.size(), asked));
+}
+
+/// How the surfaces meet tells more than the numbers of matches of unlike attempts.
+bool better(const Attempt& a, const Attempt& b) {
+  const auto worth = [](const Attempt& attempt) {
+    switch (attempt.result.verdict) {
+      case Verdict::Trusted:
+        return 1.2 * attempt.candidate.overlap;
+      case Verdict::Doubtful:
+        return 1.1 * attempt.candidate.overlap;
+      default:
+        return attempt.candidate.overlap;
+    }
+  };
+  return worth(a) > worth(b);
 }
 
 void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stages) {
   for (const StageTime& stage : stages) frontend::add_stage(sum, stage.name, stage.seconds);
+}
+
+/// Whether the mirrored source fits the target, by the first setting.
+bool fits_mirrored(const PointsRef& source, const PointsRef& target,
+                   const FrontendOptions& frontend, const Options& options,
+                   const parallel::Deadline& deadline) {
+  if (deadline.expired() || !options.admit_all()) return false;
+  Points mirrored = source;
+  mirrored.row(0) *= -1;
+  FrontendOptions seen = frontend;
+  seen.source_viewpoint.x() *= -1;
+  Options remaining = with_hypotheses(options);
+  remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
+  auto tried = attempt(mirrored, target, seen, remaining,
+                       frontend::list_settings(seen, {mirrored, target}).front(), false);
+  if (!tried) return false;
+  std::optional<frontend::Hypotheses> hypotheses;
+  Attempt best = refined(std::move(*tried), hypotheses, options, deadline);
+  if (best.result.registration.status != Status::Ok) return false;
+  compare_with_rivals(best, *hypotheses, options);
+  return best.result.verdict == Verdict::Trusted;
+}
+
+/// What `register_clouds` does with clouds in which no point is repeated much.
+CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
+                              const FrontendOptions& frontend, const Options& options) {
+  const parallel::Stopwatch stopwatch;
+  const parallel::Deadline deadline(options.time_limit, options.stop);
+  const bool refines = frontend.refine == Refine::Icp;
+  Attempt best;
+  std::optional<frontend::Hypotheses> hypotheses;
+  std::vector<StageTime> stages;
+  std::vector<LimitHit> limits;
+  int num_attempts = 0;
+  for (const frontend::FrontendSetting& setting :
+       frontend::list_settings(frontend, {source, target})) {
+    const bool too_many =
+        num_attempts > 0 && best.result.matches.source_voxels.cols() > kMostUnfiltered;
+    if (setting.keep_all_matches && too_many) continue;
+    if (num_attempts > 0 && deadline.expired()) {
+      limits.push_back({Limit::Time, "the time budget ended the attempts at other settings"});
+      break;
+    }
+    Options remaining = refines ? with_hypotheses(options) : options;
+    remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
+    auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
+    if (!tried) {
+      limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
+      continue;
+    }
+    Attempt next = refines ? refined(std::move(*tried), hypotheses, options, deadline)
+                           : judged(std::move(*tried), options);
+    add_stages(stages, next.result.matches.stages);
+    add_stages(stages, next.result.registration.diagnostics.stages);
+    if (next.result.matches.share_compared < 1) {
+      const long percent = std::lround(100 * next.result.matches.share_compared);
+      limits.push_back({Limit::Time, "the time budget ended the matching after " +
+                                         std::to_string(percent) + " % of the source"});
+    }
+    ++num_attempts;
+    if (num_attempts == 1) {
+      best = std::move(next);
+    } else if (better(next, best)) {
+      best = refines ? with_clearer_matches(std::move(next), best, options) : std::move(next);
+    }
+    if (best.result.verdict == Verdict::Trusted) break;
+  }
+  CloudResult& result = best.result;
+  result.num_attempts = num_attempts;
+  result.registration.diagnostics.stages = std::move(stages);
+  if (refines) {
+    result.refinement.method = "icp";
+    result.refinement.note = "no pose to refine";
+    if (result.registration.status == Status::Ok) {
+      compare_with_rivals(best, *hypotheses, options);
+      result = frontend::settle(std::move(result), source, target, *best.voxels, best.matched,
+                                options, deadline);
+    }
+    keep_alternatives(result.registration, options);
+    if (result.verdict != Verdict::Trusted &&
+        fits_mirrored(source, target, frontend, options, deadline)) {
+      result.notes.push_back(
+          "the mirrored source fits the target: one of the clouds is left-handed, negate one of "
+          "its coordinates");
+    }
+  }
+  auto& limits_hit = result.registration.diagnostics.limits_hit;
+  limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
+  result.registration.diagnostics.total_seconds = stopwatch.elapsed();
+  return std::move(result);
 }
 
 }  // namespace
@@ -112,62 +258,16 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
     throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
                                             " values for matches that are not known yet");
   }
-  const parallel::Stopwatch stopwatch;
-  const parallel::Deadline deadline(options.time_limit, options.stop);
-  CloudResult best;
-  Similarity matched;
-  std::vector<StageTime> stages;
-  std::vector<LimitHit> limits;
-  int num_attempts = 0;
-  for (const frontend::FrontendSetting& setting : frontend::list_settings(frontend)) {
-    const bool too_many = num_attempts > 0 && best.matches.source_voxels.cols() > kMostUnfiltered;
-    if (setting.keep_all_matches && too_many) continue;
-    if (num_attempts > 0 && deadline.expired()) {
-      limits.push_back({Limit::Time, "the time budget ended the attempts at other settings"});
-      break;
-    }
-    Options remaining = options;
-    remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
-    auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
-    if (!tried) {
-      limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
-      continue;
-    }
-    add_stages(stages, tried->result.matches.stages);
-    add_stages(stages, tried->result.registration.diagnostics.stages);
-    ++num_attempts;
-    if (num_attempts == 1 || better(tried->result, best)) {
-      best = std::move(tried->result);
-      matched = tried->matched;
-    }
-    if (best.verdict == Verdict::Trusted) break;
+  const frontend::DistinctCloud from = frontend::without_repeats(source);
+  const frontend::DistinctCloud to = frontend::without_repeats(target);
+  CloudResult result = register_distinct(from.kept ? PointsRef(*from.kept) : source,
+                                         to.kept ? PointsRef(*to.kept) : target, frontend, options);
+  result.num_source_points = source.cols();
+  result.num_target_points = target.cols();
+  for (std::string& note :
+       frontend::notes_on(source, target, from, to, frontend, options, result)) {
+    result.notes.push_back(std::move(note));
   }
-  best.num_attempts = num_attempts;
-  best.registration.diagnostics.stages = std::move(stages);
-  if (frontend.refine == Refine::Icp) {
-    best = frontend::settle(std::move(best), source, target, matched, options, deadline);
-  }
-  auto& limits_hit = best.registration.diagnostics.limits_hit;
-  limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());
-  best.registration.diagnostics.total_seconds = stopwatch.elapsed();
-  return best;
-}
-
-CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
-                      const Options& options) {
-  Result& registration = result.registration;
-  const Options solver = options_with_bound(options, result.matches);
-  Consensus consensus =
-      evaluate_consensus(target_from_source, result.matches.source, result.matches.target, solver);
-  Uncertainty uncertainty = evaluate_uncertainty(target_from_source, result.matches.source,
-                                                 result.matches.target, consensus.inliers, solver);
-  registration.target_from_source = target_from_source;
-  registration.inliers = std::move(consensus.inliers);
-  registration.evidence = consensus.evidence;
-  registration.consistent_scales = uncertainty.consistent_scales;
-  registration.covariance = std::move(uncertainty.covariance);
-  measure_fit(result, options);
-  frontend::judge(result);
   return result;
 }
 

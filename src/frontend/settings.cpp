@@ -4,7 +4,14 @@
 
 namespace gmcr::frontend {
 
-std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
+bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpoint) {
+  constexpr double kFarthest = 5;  // extents
+  if (!viewpoint.isZero(0) || points.cols() == 0) return false;
+  const Eigen::Vector3d low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+  return ((low + high) / 2).norm() > kFarthest * (high - low).norm();
+}
+
+std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, const Clouds& clouds) {
   using enum NormalOrientation;
   // Range images and scans in the sensor's frame first: of 40 real pairs this settles 31. Then a
   // model of a whole object sought in such a scan, and coarser voxels for noise: one more each. The
@@ -14,15 +21,24 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend) {
       {1.5, TowardViewpoint, TowardViewpoint},  {1, Outward, Outward},
       {1.5, Outward, TowardViewpoint, true, 1}, {1.5, Outward, TowardViewpoint, true, 1.6},
       {1, Outward, TowardViewpoint, true, 1.6}, {1.5, Outward, Outward}};
+  const bool is_automatic = frontend.orientation == Automatic;
+  const bool no_source_view =
+      is_automatic && is_viewpoint_unknown(clouds.source, frontend.source_viewpoint);
+  const bool no_target_view =
+      is_automatic && is_viewpoint_unknown(clouds.target, frontend.target_viewpoint);
   std::vector<FrontendSetting> settings;
   for (FrontendSetting setting : all) {
+    if (no_source_view) setting.source_side = Outward;
+    if (no_target_view) setting.target_side = Outward;
     if (frontend.orientation != Automatic && (setting.source_side != frontend.orientation ||
                                               setting.target_side != frontend.orientation)) {
       continue;
     }
     const bool asked_for_voxels = frontend.voxel_size > 0 && setting.voxel_factor != 1;
     if (asked_for_voxels) continue;
-    settings.push_back(setting);
+    if (std::find(settings.begin(), settings.end(), setting) == settings.end()) {
+      settings.push_back(setting);
+    }
   }
   const auto count = std::min(settings.size(), static_cast<std::size_t>(frontend.max_attempts));
   settings.resize(count);

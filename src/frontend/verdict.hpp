@@ -4,8 +4,12 @@
 
 namespace gmcr::frontend {
 
-/// Judges the pose of `result` by its inliers, matches and fitness; writes verdict and reason. A
-/// pose from matches that were not filtered is doubtful where the surfaces meet, and never trusted.
+/// Judges the pose of `result` by its matches and surfaces; writes verdict and reason.
+///
+/// The matches alone say trusted, doubtful or untrusted; those that were not filtered are never
+/// trusted. What the surfaces leave open, rivals at which they meet as well, and surfaces that do
+/// not meet closely can only make it worse: one motion left open, or a rival, is doubtful, two open
+/// motions are untrusted.
 void judge(CloudResult& result);
 
 }  // namespace gmcr::frontend

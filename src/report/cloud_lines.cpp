@@ -37,6 +37,7 @@ std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
   lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
                                    100 * result.fitness));
   if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));
+  for (const std::string& note : result.notes) lines.add("note", note, Tone::Fair);
   report::add_verdict(lines, result.verdict, result.verdict_reason);
   return std::move(lines).take();
 }

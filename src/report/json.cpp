@@ -168,6 +168,31 @@ std::string finish(Json json, const std::vector<ReportLine>& lines, const Report
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+Json fields_of(const SurfaceFit& fit) {
+  Json weak = Json::array();
+  for (const WeakDirection& direction : fit.weak_directions) {
+    const bool is_turn = !direction.turn.isZero(0);
+    weak.push_back({{"kind", is_turn ? "turn" : "shift"},
+                    {"direction", values_of(is_turn ? direction.turn : direction.shift)},
+                    {"stiffness", direction.stiffness}});
+  }
+  return {{"source_share", fit.source_share},
+          {"target_share", fit.target_share},
+          {"agreement", fit.agreement},
+          {"noise", fit.noise},
+          {"weak_directions", std::move(weak)}};
+}
+
+Json fields_of(const std::vector<RivalPose>& rivals) {
+  Json entries = Json::array();
+  for (const RivalPose& rival : rivals) {
+    Json& entry = entries.emplace_back(Json::object());
+    set_pose(entry, rival.target_from_source);
+    entry["overlap"] = rival.overlap;
+  }
+  return entries;
+}
+
 }  // namespace
 }  // namespace report
 
@@ -215,6 +240,10 @@ std::string to_json(const CloudResult& result, const ReportContext& context, int
                         {"applied", result.refinement.is_applied},
                         {"note", result.refinement.note},
                         {"noise", result.refinement.noise}};
+  json["surfaces"] = report::fields_of(result.surfaces);
+  json["ambiguous"] = !result.rivals.empty();
+  json["rivals"] = report::fields_of(result.rivals);
+  json["notes"] = result.notes;
   return report::finish(std::move(json), report_lines(result, Detail::Full, context), context,
                         indent);
 }

@@ -64,7 +64,7 @@ TEST(FeatureMatching, AgreesWithBruteForceForAllOptionsAndSizes) {
     for (const bool mutual : {false, true}) {
       for (const float ratio : {1.0f, 0.95f}) {
         const MatchingOptions options{mutual, ratio, 0};
-        EXPECT_EQ(as_pairs(match_features(source, target, options)),
+        EXPECT_EQ(as_pairs(match_features(source, target, options).pairs),
                   oracle(source, target, options))
             << n << ' ' << mutual << ' ' << ratio;
       }
@@ -79,9 +79,9 @@ TEST(FeatureMatching, OneToOneKeepsTheClosestMatchOfEachTarget) {
   target.row(0) << 1.2f, 100;
   MatchingOptions options;
   options.mutual = false;
-  EXPECT_EQ(match_features(source, target, options).size(), 3u);
+  EXPECT_EQ(match_features(source, target, options).pairs.size(), 3u);
   options.one_to_one = true;
-  const auto matches = match_features(source, target, options);
+  const auto matches = match_features(source, target, options).pairs;
   ASSERT_EQ(matches.size(), 1u);
   EXPECT_EQ(matches[0].source, 1);
   EXPECT_EQ(matches[0].target, 0);
@@ -90,8 +90,8 @@ TEST(FeatureMatching, OneToOneKeepsTheClosestMatchOfEachTarget) {
 TEST(FeatureMatching, BreaksTiesTowardTheSmallestIndex) {
   const Features one = random_features(1, 3);
   const Features many = one.replicate(1, 700);
-  EXPECT_EQ(as_pairs(match_features(many, many, {true, 1, 0})), (Pairs{{0, 0}}));
-  const auto all = match_features(many, many, {false, 1, 0});
+  EXPECT_EQ(as_pairs(match_features(many, many, {true, 1, 0}).pairs), (Pairs{{0, 0}}));
+  const auto all = match_features(many, many, {false, 1, 0}).pairs;
   ASSERT_EQ(all.size(), 700u);
   for (const auto& match : all) EXPECT_EQ(match.target, 0);
 }
@@ -102,7 +102,8 @@ TEST(FeatureMatching, OfManyEqualFeaturesAgreesWithBruteForce) {
   target.row(5).tail(200).setConstant(2);
   for (const bool mutual : {false, true}) {
     const MatchingOptions options{mutual, 1, 0};
-    EXPECT_EQ(as_pairs(match_features(source, target, options)), oracle(source, target, options));
+    EXPECT_EQ(as_pairs(match_features(source, target, options).pairs),
+              oracle(source, target, options));
   }
 }
 
@@ -111,7 +112,7 @@ TEST(FeatureMatching, LeavesOutColumnsOfZeros) {
   Features target = source;
   source.col(3).setZero();
   target.col(7).setZero();
-  const auto matches = as_pairs(match_features(source, target, {true, 1, 0}));
+  const auto matches = as_pairs(match_features(source, target, {true, 1, 0}).pairs);
   EXPECT_EQ(matches.size(), 18u);
   for (const auto& [i, j] : matches) {
     EXPECT_EQ(i, j);
@@ -124,18 +125,29 @@ TEST(FeatureMatching, OfNothingIsNothing) {
   const Features none(kFpfhBins, 0);
   const Features some = random_features(5, 6);
   const Features zeros = Features::Zero(kFpfhBins, 5);
-  EXPECT_TRUE(match_features(none, some, {}).empty());
-  EXPECT_TRUE(match_features(some, none, {}).empty());
-  EXPECT_TRUE(match_features(some, zeros, {}).empty());
+  EXPECT_TRUE(match_features(none, some, {}).pairs.empty());
+  EXPECT_TRUE(match_features(some, none, {}).pairs.empty());
+  EXPECT_TRUE(match_features(some, zeros, {}).pairs.empty());
 }
 
 TEST(FeatureMatching, DoesNotDependOnTheNumberOfThreads) {
   const Features source = random_features(2000, 7);
   const Features target = random_features(1500, 8);
-  const auto one = as_pairs(match_features(source, target, {true, 1, 1}));
+  const auto one = as_pairs(match_features(source, target, {true, 1, 1}).pairs);
   for (const int threads : {2, 5}) {
-    EXPECT_EQ(as_pairs(match_features(source, target, {true, 1, threads})), one);
+    EXPECT_EQ(as_pairs(match_features(source, target, {true, 1, threads}).pairs), one);
   }
+}
+
+TEST(MatchFeatures, EndWithTheDeadlineAndSayHowFarTheyCame) {
+  const Features features = Features::Random(kFpfhBins, 2000);
+  MatchingOptions options;
+  options.deadline = parallel::Deadline(0);
+  const FeatureMatches none = match_features(features, features, options);
+  EXPECT_TRUE(none.pairs.empty());
+  EXPECT_EQ(none.share_compared, 0);
+  options.deadline = parallel::Deadline::never();
+  EXPECT_EQ(match_features(features, features, options).share_compared, 1);
 }
 
 }  // namespace

@@ -35,13 +35,20 @@ Points with_noise(Points points, double sigma, unsigned seed) {
   return points;
 }
 
+RefinedPose refined(const PointsRef& source, const PointsRef& target, const Similarity& start,
+                    const RefinementScale& scale, const Options& options,
+                    const parallel::Deadline& deadline) {
+  CentredPair pair(source, target);
+  return refine_pose(pair, start, scale, options, deadline);
+}
+
 /// A pose of two bumpy spheres and a start near it.
 struct Case {
   Points source = voxel_grid(bumpy_sphere(20000, 1), 0.05);
   Similarity truth = some_motion();
   Points target = voxel_grid(truth.apply(bumpy_sphere(20000, 2)), 0.05);
   Similarity start = nudged(truth, truth.translation, 3, {0.03, -0.05, 0.04});
-  RefinementScale scale{0.05, 3, 2500};
+  RefinementScale scale{0.05, 3, 2500, 1e-3};
 
   double error(const Similarity& pose) const { return mean_point_error(pose, truth, source); }
 };
@@ -49,18 +56,18 @@ struct Case {
 TEST(RefinePose, BringsASurfaceFarBelowAVoxelOfItsPlace) {
   const Case a;
   ASSERT_GT(a.error(a.start), 0.05);
-  const RefinedPose refined = refine_pose(a.source, a.target, a.start, a.scale, {}, kNever);
-  EXPECT_TRUE(refined.is_applied);
-  EXPECT_LT(a.error(refined.target_from_source), 0.02 * a.scale.cell);
-  EXPECT_EQ(refined.target_from_source.scale, 1);
+  const RefinedPose result = refined(a.source, a.target, a.start, a.scale, {}, kNever);
+  EXPECT_TRUE(result.is_applied);
+  EXPECT_LT(a.error(result.target_from_source), 0.02 * a.scale.cell);
+  EXPECT_EQ(result.target_from_source.scale, 1);
 }
 
 TEST(RefinePose, OfCopiesIsExactToRounding) {
   const Case a;
   const Points copy = a.truth.apply(a.source);
-  const RefinedPose refined = refine_pose(a.source, copy, a.start, a.scale, {}, kNever);
-  EXPECT_LT(a.error(refined.target_from_source), 1e-9);
-  const RefinedPose again = refine_pose(a.source, copy, a.truth, a.scale, {}, kNever);
+  const RefinedPose result = refined(a.source, copy, a.start, a.scale, {}, kNever);
+  EXPECT_LT(a.error(result.target_from_source), 1e-9);
+  const RefinedPose again = refined(a.source, copy, a.truth, a.scale, {}, kNever);
   EXPECT_LT(a.error(again.target_from_source), 1e-12);
 }
 
@@ -72,8 +79,8 @@ TEST(RefinePose, HasNoEyesForPointsThatAreNowhereOnTheOther) {
     if (a.target(0, i) < a.truth.translation.x() + 0.2) half.col(count++) = a.target.col(i);
   }
   half.conservativeResize(Eigen::NoChange, count);
-  const RefinedPose refined = refine_pose(a.source, half, a.start, a.scale, {}, kNever);
-  EXPECT_LT(a.error(refined.target_from_source), 0.04 * a.scale.cell);
+  const RefinedPose result = refined(a.source, half, a.start, a.scale, {}, kNever);
+  EXPECT_LT(a.error(result.target_from_source), 0.04 * a.scale.cell);
 }
 
 TEST(RefinePose, SaysHowNoisyTheSurfacesAre) {
@@ -81,12 +88,12 @@ TEST(RefinePose, SaysHowNoisyTheSurfacesAre) {
   double last = 0;
   for (const double sigma : {0.002, 0.004, 0.008}) {
     const Points noisy = with_noise(a.target, sigma, 3);
-    const RefinedPose refined = refine_pose(a.source, noisy, a.start, a.scale, {}, kNever);
-    EXPECT_LT(a.error(refined.target_from_source), sigma);
-    EXPECT_GT(refined.noise, 0.5 * sigma);
-    EXPECT_LT(refined.noise, 3 * sigma + 0.002);
-    EXPECT_GT(refined.noise, last);
-    last = refined.noise;
+    const RefinedPose result = refined(a.source, noisy, a.start, a.scale, {}, kNever);
+    EXPECT_LT(a.error(result.target_from_source), sigma);
+    EXPECT_GT(result.noise, 0.5 * sigma);
+    EXPECT_LT(result.noise, 3 * sigma + 0.002);
+    EXPECT_GT(result.noise, last);
+    last = result.noise;
   }
 }
 
@@ -94,13 +101,13 @@ TEST(RefinePose, FindsTheScaleOnlyWhereItIsEstimated) {
   const Case a;
   const Similarity start = nudged(a.truth, a.truth.translation, 1, {0.01, 0.02, 0}, 1.02);
   Options options;
-  const RefinedPose kept = refine_pose(a.source, a.target, start, a.scale, options, kNever);
+  const RefinedPose kept = refined(a.source, a.target, start, a.scale, options, kNever);
   EXPECT_EQ(kept.target_from_source.scale, start.scale);
   options.scale_mode = ScaleMode::Estimated;
-  const RefinedPose refined = refine_pose(a.source, a.target, start, a.scale, options, kNever);
-  EXPECT_LT(scale_error(refined.target_from_source.scale, 1), 1e-3);
+  const RefinedPose result = refined(a.source, a.target, start, a.scale, options, kNever);
+  EXPECT_LT(scale_error(result.target_from_source.scale, 1), 1e-3);
   options.scale_range = ScaleRange{1.01, 1.1};
-  const RefinedPose bounded = refine_pose(a.source, a.target, start, a.scale, options, kNever);
+  const RefinedPose bounded = refined(a.source, a.target, start, a.scale, options, kNever);
   EXPECT_GE(bounded.target_from_source.scale, 1.01);
 }
 
@@ -108,22 +115,22 @@ TEST(RefinePose, KeepsWhatThePriorsAdmit) {
   const Case a;
   Options options;
   options.initial_pose = InitialPose{a.start, 0.01, 0.02};
-  const RefinedPose refined = refine_pose(a.source, a.target, a.start, a.scale, options, kNever);
-  EXPECT_TRUE(options.admit(refined.target_from_source));
-  EXPECT_LT(a.error(refined.target_from_source), a.error(a.start));
+  const RefinedPose result = refined(a.source, a.target, a.start, a.scale, options, kNever);
+  EXPECT_TRUE(options.admit(result.target_from_source));
+  EXPECT_LT(a.error(result.target_from_source), a.error(a.start));
 }
 
 TEST(RefinePose, IsTheSameAnywhereOnEarth) {
   const Case a;
-  const RefinedPose here = refine_pose(a.source, a.target, a.start, a.scale, {}, kNever);
+  const RefinedPose here = refined(a.source, a.target, a.start, a.scale, {}, kNever);
   for (const double offset : {1e3, 1e5, 1e7}) {
     const Eigen::Vector3d from(offset, -2 * offset, 0.1 * offset), to(-offset, offset, 0);
     const auto moved = [&](Similarity pose) {
       pose.translation += to - pose.rotation * from;
       return pose;
     };
-    const RefinedPose there = refine_pose(a.source.colwise() + from, a.target.colwise() + to,
-                                          moved(a.start), a.scale, {}, kNever);
+    const RefinedPose there = refined(a.source.colwise() + from, a.target.colwise() + to,
+                                      moved(a.start), a.scale, {}, kNever);
     const Points images = there.target_from_source.apply(a.source.colwise() + from).colwise() - to;
     EXPECT_LT((images - here.target_from_source.apply(a.source)).colwise().norm().maxCoeff(),
               1e-5 * a.scale.cell + 1e-14 * offset)
@@ -136,10 +143,10 @@ TEST(RefinePose, DoesNotDependOnTheNumberOfThreads) {
   Options options;
   options.scale_mode = ScaleMode::Estimated;
   options.num_threads = 1;
-  const RefinedPose one = refine_pose(a.source, a.target, a.start, a.scale, options, kNever);
+  const RefinedPose one = refined(a.source, a.target, a.start, a.scale, options, kNever);
   for (const int threads : {2, 3}) {
     options.num_threads = threads;
-    const RefinedPose more = refine_pose(a.source, a.target, a.start, a.scale, options, kNever);
+    const RefinedPose more = refined(a.source, a.target, a.start, a.scale, options, kNever);
     EXPECT_EQ(more.target_from_source.matrix(), one.target_from_source.matrix());
     EXPECT_EQ(more.noise, one.noise);
   }
@@ -148,9 +155,9 @@ TEST(RefinePose, DoesNotDependOnTheNumberOfThreads) {
 TEST(RefinePose, LeavesAPoseOfCloudsThatHardlyMeet) {
   const Case a;
   const Similarity away = nudged(a.truth, a.truth.translation, 0, {50, 0, 0});
-  const RefinedPose refined = refine_pose(a.source, a.target, away, a.scale, {}, kNever);
-  EXPECT_FALSE(refined.is_applied);
-  EXPECT_EQ(refined.target_from_source.matrix(), away.matrix());
+  const RefinedPose result = refined(a.source, a.target, away, a.scale, {}, kNever);
+  EXPECT_FALSE(result.is_applied);
+  EXPECT_EQ(result.target_from_source.matrix(), away.matrix());
 }
 
 TEST(RefinePose, OfAPlaneStaysWhereItLiesAlongThePlane) {
@@ -163,9 +170,9 @@ TEST(RefinePose, OfAPlaneStaysWhereItLiesAlongThePlane) {
   };
   Similarity start;
   start.translation = {0, 0, 0.04};
-  const RefinedPose refined = refine_pose(plane(), plane(), start, {0.05, 3, 2500}, {}, kNever);
-  EXPECT_NEAR(refined.target_from_source.translation.z(), 0, 1e-6);
-  EXPECT_LT(refined.target_from_source.translation.head<2>().norm(), 0.02);
+  const RefinedPose result = refined(plane(), plane(), start, {0.05, 3, 2500, 1e-3}, {}, kNever);
+  EXPECT_NEAR(result.target_from_source.translation.z(), 0, 1e-6);
+  EXPECT_LT(result.target_from_source.translation.head<2>().norm(), 0.02);
 }
 
 TEST(RegisterClouds, RefinesUnlessToldNotTo) {

@@ -145,6 +145,18 @@ TEST(CloudResultJson, AddsWhatTwoCloudsSay) {
                                            {"applied", true},
                                            {"note", "ICP turned the pose"},
                                            {"noise", 0.02}}));
+  const json& surfaces = fields.at("surfaces");
+  EXPECT_EQ(surfaces.at("source_share"), 0.5);
+  EXPECT_EQ(surfaces.at("target_share"), 0.4);
+  EXPECT_EQ(surfaces.at("agreement"), 0.9);
+  EXPECT_EQ(surfaces.at("noise"), 0.03);
+  EXPECT_EQ(
+      surfaces.at("weak_directions"),
+      json::array({{{"kind", "shift"}, {"direction", {0.0, 1.0, 0.0}}, {"stiffness", 0.001}}}));
+  EXPECT_EQ(fields.at("ambiguous"), true);
+  EXPECT_EQ(fields.at("rivals").at(0).at("overlap"), 0.95);
+  EXPECT_EQ(fields.at("rivals").at(0).at("scale"), 1);
+  EXPECT_EQ(fields.at("notes"), json::array({"the source is far away"}));
 }
 
 }  // namespace

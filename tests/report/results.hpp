@@ -61,6 +61,12 @@ inline CloudResult make_cloud_result() {
   result.verdict_reason = "few matches agree";
   result.num_attempts = 3;
   result.refinement = {"icp", true, "ICP turned the pose", 0.02};
+  WeakDirection shift;
+  shift.shift = {0, 1, 0};
+  shift.stiffness = 0.001;
+  result.surfaces = {0.5, 0.4, 0.9, 0.03, {shift}};
+  result.rivals = {{Similarity{}, 0.95}};
+  result.notes = {"the source is far away"};
   return result;
 }
 

@@ -16,6 +16,9 @@ class CentredPair {
   Similarity centred(const Similarity& target_from_source) const;
   Similarity of_caller(const Similarity& centred) const;
 
+  /// Metres, the caller's frame.
+  const Eigen::Vector3d& source_centre() const { return source_centre_; }
+
  private:
   Eigen::Vector3d source_centre_;  ///< metres, the caller's frame
   Eigen::Vector3d target_centre_;

@@ -51,13 +51,17 @@ Eigen::Matrix<double, 3, 7> motion_of(const Eigen::Vector3d& arm, double lever) 
 
 }  // namespace
 
-Samples choose_samples(const SurfaceCloud& source, const SurfaceCloud& target, Index max_count) {
+Samples sample_side(const SurfaceCloud& cloud, bool of_source, Index max_count) {
   Samples samples;
-  samples.of_source = source.size() <= target.size();
-  const Index count = std::min(source.size(), target.size());
-  const Index stride = (count + max_count - 1) / max_count;
-  for (Index i = 0; i < count; i += stride) samples.columns.push_back(i);
+  samples.of_source = of_source;
+  const Index stride = (cloud.size() + max_count - 1) / max_count;
+  for (Index i = 0; i < cloud.size(); i += stride) samples.columns.push_back(i);
   return samples;
+}
+
+Samples choose_samples(const SurfaceCloud& source, const SurfaceCloud& target, Index max_count) {
+  const bool of_source = source.size() <= target.size();
+  return sample_side(of_source ? source : target, of_source, max_count);
 }
 
 PlanePairs find_pairs(SurfaceCloud& source, SurfaceCloud& target, const Samples& samples,
@@ -87,6 +91,7 @@ PlanePairs find_pairs(SurfaceCloud& source, SurfaceCloud& target, const Samples&
     PlanePair& pair = result.pairs.emplace_back();
     pair.moved = pose * source.point(i);
     pair.residual = pair.moved - target.point(j);
+    pair.normal = normal;
     pair.information = information_of(moved_normal, normal);
     pair.agreement = agreement_of(moved_normal, normal);
   }

@@ -12,6 +12,7 @@ namespace gmcr::frontend {
 struct PlanePair {
   Eigen::Vector3d moved;     ///< metres, about the centre of the target
   Eigen::Vector3d residual;  ///< moved - target point
+  Eigen::Vector3d normal;    ///< of the target, unit
   /// Inverse of the sum of the two covariances, each that of a plane patch (1, 1, kFlatness along
   /// its normal), in units in which two parallel patches weigh 1 along their normal.
   Eigen::Matrix3d information;
@@ -38,7 +39,10 @@ struct Samples {
   std::vector<Index> columns;
 };
 
-/// At most `max_count` points by a fixed stride, of the cloud that has fewer: more of it is
+/// At most `max_count` points of one side, by a fixed stride.
+Samples sample_side(const SurfaceCloud& cloud, bool of_source, Index max_count);
+
+/// The same of the cloud that has fewer: more of it is
 /// covered.
 Samples choose_samples(const SurfaceCloud& source, const SurfaceCloud& target, Index max_count);
 

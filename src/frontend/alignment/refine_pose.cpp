@@ -3,14 +3,12 @@
 #include <vector>
 
 #include "frontend/alignment/align.hpp"
-#include "frontend/alignment/centred_pair.hpp"
 
 namespace gmcr::frontend {
 namespace {
 
 constexpr double kNarrowRadius = 1.5;  // cells
 constexpr int kNarrowSteps = 12;
-constexpr double kLeastStep = 1e-3;    // cells
 constexpr double kLeastKernel = 0.02;  // cells
 
 /// One step at each radius on the way from the reach to the narrowest, where it settles.
@@ -20,7 +18,7 @@ std::vector<AlignmentRound> rounds_of(const RefinementScale& scale) {
     const double radius = share * scale.reach;
     if (radius > kNarrowRadius) rounds.push_back({radius, 1, 0, kLeastKernel});
   }
-  rounds.push_back({kNarrowRadius, kNarrowSteps, kLeastStep, kLeastKernel});
+  rounds.push_back({kNarrowRadius, kNarrowSteps, scale.least_step, kLeastKernel});
   for (AlignmentRound& round : rounds) {
     round.radius *= scale.cell;
     round.least_step *= scale.cell;
@@ -45,12 +43,9 @@ AlignmentRules rules_of(const CentredPair& pair, const Options& options,
 
 }  // namespace
 
-RefinedPose refine_pose(const PointsRef& source, const PointsRef& target, const Similarity& start,
-                        const RefinementScale& scale, const Options& options,
-                        const parallel::Deadline& deadline) {
+RefinedPose refine_pose(CentredPair& pair, const Similarity& start, const RefinementScale& scale,
+                        const Options& options, const parallel::Deadline& deadline) {
   RefinedPose refined{start, false, 0};
-  if (source.cols() == 0 || target.cols() == 0) return refined;
-  CentredPair pair(source, target);
   const Samples samples = choose_samples(pair.source, pair.target, scale.max_samples);
   const AlignmentRules rules = rules_of(pair, options, deadline);
   const std::vector<AlignmentRound> rounds = rounds_of(scale);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "frontend/alignment/centred_pair.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
-#include "gmcr/types.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr::frontend {
@@ -19,18 +19,18 @@ struct RefinementScale {
   double cell = 0;   ///< metres, target frame: spacing of the points
   double reach = 0;  ///< cells: how far the start may be off
   Index max_samples = 0;
+  double least_step = 0;  ///< cells: a shorter step ends it
 };
 
-/// Refines a pose on two clouds from wide to narrow (`align`), and keeps the start where the
+/// Refines a pose of two clouds from wide to narrow (`align`), and keeps the start where the
 /// surfaces do not meet more closely at the end of it: by the robust cost of the same samples, with
 /// the same kernel, which follows the noise found.
 ///
-/// @param source, target  after a voxel grid, metres, finite.
+/// @param pair  clouds after a voxel grid; keeps the normals that are needed.
 /// @param options  `scale_mode`, `scale_range`, `num_threads` and the priors are read.
 /// Cost O(N log N) and O(log N) for each sample and step. Deterministic for any thread count, but
 /// for the deadline.
-RefinedPose refine_pose(const PointsRef& source, const PointsRef& target, const Similarity& start,
-                        const RefinementScale& scale, const Options& options,
-                        const parallel::Deadline& deadline);
+RefinedPose refine_pose(CentredPair& pair, const Similarity& start, const RefinementScale& scale,
+                        const Options& options, const parallel::Deadline& deadline);
 
 }  // namespace gmcr::frontend

@@ -20,6 +20,8 @@ class SurfaceCloud {
   Index size() const { return points_->cols(); }
   Eigen::Vector3d point(Index i) const { return points_->col(i); }
 
+  const Points& points() const { return *points_; }
+
   /// Column of the point nearest to each query that has one within `radius` metres, else -1.
   /// @param queries  3 x M, metres, about the centre.
   /// Cost O(M log N). Deterministic for any thread count.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gmcr/frontend.hpp"
+
+namespace gmcr::frontend {
+
+/// A cloud without the copies of a point that fills a good part of it.
+struct DistinctCloud {
+  std::optional<Points> kept;  ///< nullopt: there is no such point, and the cloud is as it was
+  Index num_copies = 0;        ///< that were left out
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< metres
+};
+
+/// Leaves one of the copies of the median point, where these are more than 1 % of the cloud: such
+/// as the zeros of an organised cloud, which would steer the voxel size. Cost O(N).
+DistinctCloud without_repeats(const PointsRef& points);
+
+/// What is odd about two clouds, a sentence each, as `CloudResult::notes`.
+/// @param from, to  `without_repeats` of source and target.
+/// @param result  of them.
+std::vector<std::string> notes_on(const PointsRef& source, const PointsRef& target,
+                                  const DistinctCloud& from, const DistinctCloud& to,
+                                  const FrontendOptions& frontend, const Options& options,
+                                  const CloudResult& result);
+
+}  // namespace gmcr::frontend

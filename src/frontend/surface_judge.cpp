@@ -1,0 +1,69 @@
+#include "frontend/surface_judge.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <numbers>
+#include <utility>
+
+#include "frontend/alignment/surface_fit.hpp"
+
+namespace gmcr::frontend {
+namespace {
+
+constexpr double kReach = 3;         // voxels: the matches put a pose within their noise bound
+constexpr double kLeastStep = 1e-2;  // voxels
+constexpr Index kSamples = 2500;
+constexpr Index kFewSamples = 600;
+constexpr double kDistinct = 3;  // voxels
+
+}  // namespace
+
+SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options)
+    : pair_(std::move(pair)), voxel_(voxel), options_(options) {
+  const Points& points = pair_->source.points();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points * points.transpose() /
+                                                              static_cast<double>(points.cols()));
+  axes_ = solver.eigenvectors();
+  variances_ = solver.eigenvalues();
+  centroid_ = pair_->source_centre();
+}
+
+Candidate SurfaceJudge::look(const Similarity& start, Index max_samples,
+                             const parallel::Deadline& deadline) {
+  const RefinedPose refined =
+      refine_pose(*pair_, start, {voxel_, kReach, max_samples, kLeastStep}, options_, deadline);
+  const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_, max_samples,
+                                          options_.num_threads);
+  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
+}
+
+Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, kSamples, deadline);
+}
+
+Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, kFewSamples, deadline);
+}
+
+std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
+  std::vector<Similarity> turned;
+  for (int axis = 0; axis < 3; ++axis) {
+    Similarity turn;
+    turn.rotation =
+        Eigen::AngleAxisd(std::numbers::pi, axes_.col(axis).normalized()).toRotationMatrix();
+    turn.translation = centroid_ - turn.rotation * centroid_;
+    const Similarity candidate = pose * turn;
+    if (options_.admit(candidate)) turned.push_back(candidate);
+  }
+  return turned;
+}
+
+bool SurfaceJudge::are_distinct(const Similarity& a, const Similarity& b) const {
+  const Eigen::Vector3d shift = a * centroid_ - b * centroid_;
+  const Eigen::Matrix3d linear = (a.scale * a.rotation - b.scale * b.rotation) * axes_;
+  const double square =
+      shift.squaredNorm() + linear.colwise().squaredNorm().dot(variances_.transpose());
+  return square > kDistinct * kDistinct * voxel_ * voxel_;
+}
+
+}  // namespace gmcr::frontend

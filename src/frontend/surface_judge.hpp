@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frontend/alignment/centred_pair.hpp"
+#include "frontend/alignment/refine_pose.hpp"
+#include "gmcr/frontend.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr::frontend {
+
+/// A pose that was refined on the voxels of the judge.
+struct Candidate {
+  Similarity target_from_source;
+  bool is_refined = false;  ///< moved from where it started, since the surfaces meet better there
+  double noise = 0;         ///< as in `RefinedPose`
+  double overlap = 0;       ///< `SurfaceFit::overlap`
+};
+
+/// Refines and compares poses of two clouds by how their surfaces meet: all on the same voxels, so
+/// that poses of unlike attempts can be compared.
+class SurfaceJudge {
+ public:
+  /// @param pair   the voxels of the first attempt, shared with who measures its poses.
+  /// @param voxel  metres, target frame.
+  SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options);
+
+  /// The pose near `start` at which the surfaces meet best.
+  Candidate approach(const Similarity& start, const parallel::Deadline& deadline);
+
+  /// The same by fewer points, to see whether a closer look is worth its time.
+  Candidate glance(const Similarity& start, const parallel::Deadline& deadline);
+
+  /// The pose turned by half about each principal axis of the source, through its centroid: how
+  /// symmetric parts, corridors and bare ground are mistaken for themselves. Those that the priors
+  /// admit.
+  std::vector<Similarity> half_turns(const Similarity& pose) const;
+
+  /// Whether the poses are apart by more than a refinement could bridge: RMS distance of the images
+  /// of the source above three voxels.
+  bool are_distinct(const Similarity& a, const Similarity& b) const;
+
+ private:
+  Candidate look(const Similarity& start, Index max_samples, const parallel::Deadline& deadline);
+
+  std::shared_ptr<CentredPair> pair_;
+  double voxel_;               ///< metres, target frame
+  Eigen::Vector3d centroid_;   ///< of the source, metres
+  Eigen::Matrix3d axes_;       ///< principal axes of the source, columns
+  Eigen::Vector3d variances_;  ///< of the source along them, square metres
+  const Options& options_;
+};
+
+}  // namespace gmcr::frontend
