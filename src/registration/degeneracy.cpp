@@ -2,12 +2,14 @@
 
 #include "estimation/pose_constraints.hpp"
 #include "estimation/spread.hpp"
+#include "problem/selection.hpp"
 
 namespace gmcr::registration {
+namespace {
 
-std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
-                              const std::vector<Index>& inliers, const Eigen::ArrayXd& bounds,
-                              const Options& options) {
+std::string reason_of(const PointsRef& source, const Similarity& pose,
+                      const std::vector<Index>& inliers, const Eigen::ArrayXd& bounds,
+                      const Options& options) {
   const estimation::KnownRotation known = estimation::known_rotation(options);
   const bool scale_is_known = options.scale_mode == ScaleMode::Known;
   if (known == estimation::KnownRotation::All && scale_is_known) return {};
@@ -41,6 +43,23 @@ std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
            "determined";
   }
   return {};
+}
+
+}  // namespace
+
+std::string degeneracy_reason(const PointsRef& source, const Similarity& pose,
+                              const std::vector<Index>& inliers, const Eigen::ArrayXd& bounds,
+                              const Options& options) {
+  constexpr Index kMany = 4096, kSome = 1024;
+  const auto count = static_cast<Index>(inliers.size());
+  if (count > kMany) {
+    // what some of them determine, all do
+    const std::vector<Index> places = problem::stratified_selection(count, kSome);
+    std::vector<Index> some;
+    for (const Index k : places) some.push_back(inliers[static_cast<std::size_t>(k)]);
+    if (reason_of(source, pose, some, bounds(places), options).empty()) return {};
+  }
+  return reason_of(source, pose, inliers, bounds, options);
 }
 
 }  // namespace gmcr::registration
