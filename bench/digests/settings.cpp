@@ -206,6 +206,7 @@ std::vector<FrontendVariant> frontend_variants(double voxel_size) {
     change(variants.back().options);
   };
   vary("one-attempt", [](FrontendOptions& o) { o.max_attempts = 1; });
+  vary("unrefined", [](FrontendOptions& o) { o.refine = Refine::None; });
   vary("outward", [](FrontendOptions& o) { o.orientation = NormalOrientation::Outward; });
   vary("viewpoint", [](FrontendOptions& o) {
     o.orientation = NormalOrientation::TowardViewpoint;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRepeatedShare = 0.01;
 /// Steps of the coordinates above this share of a voxel bend the surface.
-constexpr double kCoarseStep = 0.1;
+constexpr double kCoarseStep = 0.25;
 /// Extents that differ by about 1000 are metres and millimetres.
 constexpr double kLeastUnits = 300;
 constexpr double kMostUnits = 3000;

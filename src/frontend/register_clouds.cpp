@@ -196,7 +196,9 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
     const bool too_many =
         num_attempts > 0 && best.result.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
-    if (num_attempts > 0 && deadline.expired()) {
+    // an attempt that cannot come to its pose would only take time
+    const bool is_late = deadline.remaining() < deadline.elapsed() / std::max(1, num_attempts);
+    if (num_attempts > 0 && is_late) {
       limits.push_back({Limit::Time, "the time budget ended the attempts at other settings"});
       break;
     }

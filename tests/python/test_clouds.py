@@ -111,6 +111,38 @@ def test_a_frontend_option_changes_the_matches(clouds, name, value):
     assert before.target.tobytes() != after.target.tobytes()
 
 
+def test_the_refinement_is_on_unless_told_otherwise(clouds, result):
+    source, target, truth = clouds
+    assert result.refinement.method == "icp"
+    assert result.refinement.is_applied
+    assert 0 < result.refinement.noise < result.matches.target_voxel_size
+    plain = gmcr.register_clouds(source, target, voxel_size=0.08, refine="none")
+    assert plain.refinement.method == "none"
+    later = gmcr.refine_clouds(plain, source, target)
+    errors = [
+        gmcr.evaluate(pose.matrix(), truth, source).mean_point_error for pose in (plain, later)
+    ]
+    assert errors[1] < 0.5 * errors[0]
+
+
+def test_surfaces_say_how_they_meet(result):
+    surfaces = result.surfaces
+    assert 0.3 < surfaces.source_share <= 1
+    assert 0.3 < surfaces.target_share <= 1
+    assert surfaces.agreement > 0.6
+    assert surfaces.weak_directions == []
+    assert result.rivals == []
+
+
+def test_a_plane_leaves_motions_open():
+    rng = np.random.default_rng(1)
+    clouds = [np.column_stack([rng.uniform(0, 1, (4000, 2)), np.zeros(4000)]) for _ in range(2)]
+    result = gmcr.register_clouds(clouds[0], clouds[1] + [0, 0, 0.01], max_attempts=8)
+    assert result.verdict == "untrusted"
+    for direction in result.surfaces.weak_directions:
+        assert np.linalg.norm(direction.turn) + np.linalg.norm(direction.shift) > 0.9
+
+
 def test_one_to_one_leaves_one_match_a_target(clouds):
     frontend = gmcr.FrontendOptions(voxel_size=0.08, mutual=False)
     shared = gmcr.match(*clouds[:2], frontend).target_indices
