@@ -22,6 +22,17 @@ constexpr double kReaches[] = {16, 8, 4, 2, 1, 1};
 // The flat set tells the scale; another one would hold other matches by chance.
 constexpr double kSameScale = 1.1;
 
+/// An even selection, enough to tell a plane.
+std::vector<Index> some_of(const std::vector<Index>& inliers) {
+  constexpr std::size_t kEnough = 1000;
+  if (inliers.size() <= kEnough) return inliers;
+  std::vector<Index> some;
+  for (std::size_t k = 0; k < kEnough; ++k) {
+    some.push_back(inliers[k * inliers.size() / kEnough]);
+  }
+  return some;
+}
+
 struct Plane {
   Eigen::Vector3d point, normal;
   double thickness = 0, width = 0;  ///< RMS distance from the plane, and along its short side
@@ -68,7 +79,7 @@ std::vector<Index> within(const CallerCorrespondences& all, const Points& mirror
 Index reflected_inliers(const CallerCorrespondences& all, const problem::CallerPose& pose,
                         const std::vector<Index>& inliers, const ScaleRange& scales) {
   if (inliers.size() < 4) return 0;  // three are always flat
-  const Plane plane = fit_plane_to_most(all.source(Eigen::all, inliers));
+  const Plane plane = fit_plane_to_most(all.source(Eigen::all, some_of(inliers)));
   const double flat = kFlat * all.bounds(inliers).maxCoeff() / pose.scale();
   if (plane.thickness > flat || plane.width <= flat) return 0;
 
