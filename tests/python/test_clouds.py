@@ -21,6 +21,7 @@ VALUES = {
     "mutual": False,
     "max_ratio": 0.75,
     "max_attempts": 3,
+    "refine": "none",
 }
 
 
