@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import gmcr
 
-from .matches import read_matches
+from .matches import has_noise_bounds, read_matches
 from .options import frontend_options, solver_options
 from .pairs import Pair
 from .row import Row, row_of
@@ -36,6 +36,39 @@ def register_pair(pair: Pair, options: Mapping[str, Any]) -> Row:
     """
     values = {**options, **pair.options}
     return _of_clouds(pair, values) if pair.matches is None else _of_matches(pair, values)
+
+
+def refuse_hopeless(pairs: Iterable[Pair], options: Mapping[str, Any]) -> None:
+    """Refuses a list no pair of which can come to a pose: none has a noise bound.
+
+    Parameters
+    ----------
+    pairs : iterable of Pair
+        Read until the first that may succeed.
+    options : mapping
+        Options of all pairs.
+
+    Raises
+    ------
+    ValueError
+        where there are pairs, and each of them is of matches without a bound.
+    """
+    num_pairs = 0
+    for pair in pairs:
+        values = {**options, **pair.options}
+        if pair.matches is None or _is_bounded(values) or has_noise_bounds(pair.matches):
+            return
+        num_pairs += 1
+    if num_pairs:
+        raise ValueError(
+            f"noise_bound: is missing, so that each of the {num_pairs} pairs would fail; give one "
+            "to all (noise_bound=0.05, metres, or 'auto'), a column noise_bound to the list of "
+            "pairs, or a seventh column to the matches"
+        )
+
+
+def _is_bounded(values: Mapping[str, Any]) -> bool:
+    return values.get("noise_mode") == "estimated" or values.get("noise_bound", 0) != 0
 
 
 def _of_matches(pair: Pair, values: dict[str, Any]) -> Row:
