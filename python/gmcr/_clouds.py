@@ -36,7 +36,8 @@ def register_clouds(
 
     Voxel grid, normals, FPFH, nearest neighbours in feature space, ``register_correspondences``,
     the refinement of ``refine``, and a verdict from the inliers and from how the surfaces meet.
-    Where the verdict is not ``'trusted'``, other settings of the front end are tried.
+    Where the verdict is not ``'trusted'``, other settings of the front end are tried, and the poses
+    of all are compared by their surfaces.
 
     Parameters
     ----------

@@ -35,8 +35,7 @@ def register_correspondences(
     Parameters
     ----------
     source, target : array_like, shape (N, 3)
-        Matched points, metres, finite, of any library: numpy, torch, Open3D's clouds, structured
-        arrays with x, y, z. C-order float64 arrays are read in place.
+        Matched points, metres, finite. C-order float64 arrays are read in place.
     options : Options, optional
         Every choice of the solver.
     **keywords
@@ -60,6 +59,8 @@ def register_correspondences(
     -----
     O(N^2) time and N^2 / 8 bytes; the clique search is exponential in the worst case and ends at
     ``options.time_limit``. Other Python threads run meanwhile, and Ctrl-C stops it.
+
+    Points may be of any library: tensors of torch, clouds of Open3D, structured arrays with x, y, z.
 
     Examples
     --------

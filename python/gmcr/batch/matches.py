@@ -57,24 +57,6 @@ def read_matches(path: str | Path) -> tuple[Floats, Floats, Floats | None]:
     return source, target, table[:, 6].copy() if len(columns) == 7 else None
 
 
-def has_noise_bounds(path: str | Path) -> bool:
-    """Whether a file of matches has a noise bound for each; reads no more than is needed for it.
-
-    True also where the file cannot be read: what is wrong with it is for ``read_matches`` to say.
-    """
-    path = Path(path)
-    try:
-        if path.suffix == ".npy":
-            shape = np.load(path, mmap_mode="r", allow_pickle=False).shape
-            return len(shape) != 2 or len(_choose_columns([], shape[1])) == 7
-        with path.open() as file:
-            cells = _SEPARATORS.split(file.readline().strip())
-        names = [] if _is_number(cells[0]) else cells
-        return len(_choose_columns(names, len(cells))) == 7
-    except (OSError, ValueError):
-        return True
-
-
 def _read_csv(path: Path) -> tuple[list[str], Floats]:
     with path.open() as file:
         first_line = file.readline().strip()

@@ -8,7 +8,7 @@ from typing import Any
 
 import gmcr
 
-from .matches import has_noise_bounds, read_matches
+from .matches import read_matches
 from .options import frontend_options, solver_options
 from .pairs import Pair
 from .row import Row, row_of
@@ -51,15 +51,22 @@ def refuse_hopeless(pairs: Iterable[Pair], options: Mapping[str, Any]) -> None:
     Raises
     ------
     ValueError
-        where there are pairs, and each of them is of matches without a bound.
+        where each pair is of matches, and none of those that can be read has a bound.
     """
-    num_pairs = 0
+    num_pairs = num_without = 0
     for pair in pairs:
         values = {**options, **pair.options}
-        if pair.matches is None or _is_bounded(values) or has_noise_bounds(pair.matches):
+        if pair.matches is None or _is_bounded(values):
             return
         num_pairs += 1
-    if num_pairs:
+        try:
+            noise_bounds = read_matches(pair.matches)[2]
+        except (OSError, ValueError):
+            continue  # for the row to say; the workers may see files that this machine does not
+        if noise_bounds is not None:
+            return
+        num_without += 1
+    if num_without:
         raise ValueError(
             f"noise_bound: is missing, so that each of the {num_pairs} pairs would fail; give one "
             "to all (noise_bound=0.05, metres, or 'auto'), a column noise_bound to the list of "
