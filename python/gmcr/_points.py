@@ -28,14 +28,14 @@ CloudLike = PointsLike | str | os.PathLike[str]
 Floats = npt.NDArray[np.float64]
 
 
-def as_points(values: PointsLike, name: str) -> Floats:
+def as_points(values: CloudLike, name: str) -> Floats:
     """(N, 3) float64 array in C order; the very same array where it is one already.
 
     Parameters
     ----------
-    values : PointsLike
+    values : CloudLike
         (N, 3) of numbers of any library; an Open3D cloud; a structured array with the fields x, y
-        and z, of any shape, as ROS gives it.
+        and z, of any shape, as ROS gives it. A path is refused with what to call.
     name : str
         Of the argument, for the messages.
 

@@ -60,7 +60,7 @@ def register_correspondences(
     O(N^2) time and N^2 / 8 bytes; the clique search is exponential in the worst case and ends at
     ``options.time_limit``. Other Python threads run meanwhile, and Ctrl-C stops it.
 
-    Points may be of any library: tensors of torch, clouds of Open3D, structured arrays with x, y, z.
+    Points may be of any library: torch tensors, clouds of Open3D, structured arrays with x, y, z.
 
     Examples
     --------

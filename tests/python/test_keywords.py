@@ -40,6 +40,8 @@ OFFERED = {
     "max_clique(graph, ": CLIQUES,
     "max_weight_clique(graph, weights, ": WEIGHTED,
     "make_synthetic(": SYNTHETIC,
+    "viz.plot(result, source, target, ": SOLVER,
+    "viz.report(result, source, target, path, ": SOLVER,
 }
 TYPOS = {
     "register_correspondences(points, points, noise_bond=1)": "noise_bound",
@@ -72,7 +74,7 @@ def test_the_typed_words_are_those_that_are_known(name):
 @pytest.mark.parametrize("call", OFFERED, ids=lambda call: call.partition("(")[0])
 def test_an_editor_offers_every_option(call):
     script = jedi.Script(
-        f"import gmcr\ngmcr.{call}", project=jedi.Project(Path(gmcr.__file__).parents[1])
+        f"import gmcr.viz\ngmcr.{call}", project=jedi.Project(Path(gmcr.__file__).parents[1])
     )
     offered = {completion.name for completion in script.complete()}
     assert {f"{option}=" for option in OFFERED[call]} <= offered
