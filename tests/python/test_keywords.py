@@ -52,6 +52,8 @@ TYPOS = {
     "register_instances(points, points, max_instance=1)": "max_instances",
     "max_clique(points, time_limt=1)": "time_limit",
     "make_synthetic(outlier_rat=0.5)": "outlier_rate",
+    "Options(evidence='counts')": "'count'",
+    "register_clouds(points, points).pose_graph_covariance('g2o')": "'gtsam'",
     "make_synthetic(kind='bal')": "'ball'",
 }
 
@@ -86,6 +88,9 @@ def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
         "register_correspondences(points, points, method=gmcr.Method.PAPER, scale_range=(1, 2))",
         "register_clouds('a.ply', pathlib.Path('b.ply'), voxel_size=0.1, noise_bound=0.2)",
         "register_instances(points, points, max_instances=2, noise_bound=0.2)",
+        "register_clouds(points, points).status.value.upper()",
+        "register_clouds(points, points).inliers.astype(int)",
+        "InitialPose(target_from_source=points, max_rotation=0.1)",
     ]
     path = tmp_path / "calls.py"
     head = ["import pathlib", "import gmcr", "import numpy as np", "points = np.zeros((3, 3))"]
