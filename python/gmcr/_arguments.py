@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._gmcr import FrontendOptions, InstanceOptions, Options, Similarity
-from ._hints import advice_on, closeness, refuse_foreign, require_bound, translate
+from ._hints import advice_on, closeness, refuse_foreign, refuse_misread, require_bound
 from ._points import CloudLike, PointsLike, as_array_like, as_cloud, as_points
 
 if TYPE_CHECKING:
@@ -87,10 +87,10 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
 def check_options(
     kind: type[T], options: T | None, keywords: dict[str, Any], name: str = "options"
 ) -> None:
-    """Checks what is given for options of a kind, and makes fields of the keywords, in place."""
+    """Checks what is given for options of a kind, but for values, which the kind itself checks."""
     refuse_foreign(keywords)
     if options is None:
-        translate(keywords)
+        refuse_misread(keywords)
         return
     if keywords:
         raise TypeError(f"give {name} or keywords ({', '.join(keywords)}), not both")
@@ -118,7 +118,7 @@ def option_names(kind: type[Any]) -> tuple[str, ...]:
 def solver_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
     """``as_options`` of the solver."""
     check_options(Options, options, keywords)  # type: ignore[arg-type]
-    return Options(**keywords) if options is None else options  # type: ignore[arg-type]
+    return Options(**keywords) if options is None else options
 
 
 def bounded_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:

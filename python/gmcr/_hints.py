@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher
 from typing import Any
 
@@ -51,17 +51,15 @@ def closeness(name: str, known: Iterable[str]) -> float:
     return max(SequenceMatcher(None, name, other).ratio() for other in known)
 
 
-def translate(keywords: dict[str, Any]) -> None:
-    """Turns the words for options that are spoken but no fields, in place, into fields.
+def refuse_misread(keywords: Mapping[str, Any]) -> None:
+    """Refuses values whose meaning is clear but has to be written otherwise.
 
     Raises
     ------
     TypeError, ValueError
-        on a value whose meaning is clear but has to be written otherwise.
+        with what to write.
     """
-    if isinstance(keywords.get("noise_bound"), str):
-        _translate_bound(keywords)
-    elif np.ndim(keywords.get("noise_bound", 0)) > 0:
+    if np.ndim(keywords.get("noise_bound", 0)) > 0:
         raise TypeError("noise_bound: is one number; write noise_bounds=... for one a match")
     if not isinstance(keywords.get("gravity"), GravityPrior | None):
         raise TypeError(
@@ -75,15 +73,7 @@ def translate(keywords: dict[str, Any]) -> None:
         _check_range(scale_range, keywords)
 
 
-def _translate_bound(keywords: dict[str, Any]) -> None:
-    word = keywords.pop("noise_bound")
-    if word != "auto":
-        raise TypeError(f"noise_bound: {word!r} is neither a number of metres nor 'auto'")
-    if keywords.setdefault("noise_mode", "estimated") != "estimated":
-        raise ValueError(f"noise_bound: 'auto', but noise_mode is {keywords['noise_mode']!r}")
-
-
-def _check_range(scale_range: Any, keywords: dict[str, Any]) -> None:
+def _check_range(scale_range: Any, keywords: Mapping[str, Any]) -> None:
     if np.shape(scale_range) == (2,) and scale_range[0] > scale_range[1]:
         raise ValueError(f"scale_range: {tuple(scale_range)} is not (smallest, largest)")
     if keywords.get("scale_mode", "known") == "known":

@@ -23,13 +23,12 @@ def bounded(*arguments, **keywords):
 #: What is called, the error, and words of its message.
 MISTAKES = {
     "no bound": (solve, ValueError, "noise_bound: .*write noise_bound=0.05.* noise_bound='auto'"),
-    "a bound in words": (lambda: solve(noise_bound="5 cm"), TypeError, "'5 cm' is neither"),
-    "a bound a match": (lambda: solve(noise_bound=[0.1] * 20), TypeError, "write noise_bounds="),
-    "auto, but given": (
-        lambda: solve(noise_bound="auto", noise_mode="given"),
-        ValueError,
-        "'auto', but noise_mode is 'given'",
+    "a bound in words": (
+        lambda: solve(noise_bound="5 cm"),
+        TypeError,
+        "'5 cm' is not a number of metres or 'auto'",
     ),
+    "a bound a match": (lambda: solve(noise_bound=[0.1] * 20), TypeError, "write noise_bounds="),
     "no bound for an instance": (
         lambda: gmcr.register_instances(POINTS, POINTS, max_instances=2),
         ValueError,
@@ -203,5 +202,8 @@ def test_auto_is_the_estimated_bound(problem):
         gmcr.register_correspondences(problem.source, problem.target, **keywords)
         for keywords in ({"noise_bound": "auto"}, {"noise_mode": "estimated"})
     )
+    for options in (gmcr.Options(noise_bound="auto"), gmcr.Options()):
+        options.noise_bound = "auto"
+        assert repr(options) == "Options(noise_mode='estimated')"
     assert auto.noise_estimate.noise_bound == estimated.noise_estimate.noise_bound
     assert np.array_equal(auto.matrix(), estimated.matrix())

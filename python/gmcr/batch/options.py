@@ -9,7 +9,6 @@ from typing import Any
 import gmcr
 
 from .._arguments import option_names
-from .._hints import translate
 
 #: Not for a table: one thread works on a pair, so that the cores are shared by the pairs; the
 #: others are objects.
@@ -34,7 +33,6 @@ def parse_value(text: str) -> Any:
 def solver_options(values: Mapping[str, Any]) -> gmcr.Options:
     """Options of the solver among the values, on one thread."""
     options = {name: value for name, value in values.items() if name in _SOLVER_NAMES}
-    translate(options)
     if isinstance(options.get("scale_range"), list):
         options["scale_range"] = tuple(options["scale_range"])
     return gmcr.Options(num_threads=1, **options)
