@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -197,7 +198,7 @@ void bind_results(nb::module_& module) {
           .read_only(&describe);
   add_pose(result);
   add_report(result);
-  add_pose_graph(result, [](const Result& self) -> const Result& { return self; });
+  add_pose_graph(result, std::identity{});
   Record<Consensus>(module, "Consensus", "The correspondences that agree with a transform.")
       .field("inliers", &Consensus::inliers, "(m,) int64, ascending, read only.")
       .field("evidence", &Consensus::evidence, "Sum of the evidence of the inliers.")
