@@ -5,7 +5,7 @@
 >>> result.matrix(), result.inliers, result.certificate.upper
 """
 
-from ._arguments import PoseLike
+from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
 from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
 from ._enums import (
@@ -70,6 +70,7 @@ __all__ = [
     "Certificate",
     "CliqueOptions",
     "CliqueResult",
+    "CloudLike",
     "CloudMatches",
     "CloudResult",
     "Consensus",
@@ -87,6 +88,7 @@ __all__ = [
     "NoiseShape",
     "NormalOrientation",
     "Options",
+    "PointsLike",
     "PoseErrors",
     "PoseLike",
     "Refine",

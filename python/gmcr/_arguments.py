@@ -2,12 +2,36 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from ._gmcr import Options, Similarity
+from ._gmcr import FrontendOptions, InstanceOptions, Options, Similarity
+from ._hints import advice_on, closeness, refuse_foreign, refuse_misread, require_bound
+from ._points import CloudLike, PointsLike, as_array_like, as_cloud, as_points
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import CloudKeywords, InstanceKeywords, SolverKeywords
+
+__all__ = [
+    "CloudLike",
+    "HasPose",
+    "PointsLike",
+    "PoseLike",
+    "as_cloud",
+    "as_options",
+    "as_points",
+    "as_pose",
+    "bounded_options",
+    "check_options",
+    "cloud_options",
+    "instance_options",
+    "option_names",
+    "solver_options",
+]
 
 
 class HasPose(Protocol):
@@ -21,28 +45,31 @@ PoseLike = Similarity | HasPose | npt.ArrayLike
 T = TypeVar("T")
 
 
-def as_points(values: npt.ArrayLike, name: str) -> npt.NDArray[np.float64]:
-    """(N, 3) float64 array in C order; the very same array where it is one already.
+def as_pose(pose: PoseLike, name: str = "target_from_source") -> Similarity:
+    """Transform of a ``Similarity``, of a result, or of a homogeneous matrix (4, 4).
 
     Raises
     ------
     ValueError
-        naming the argument, where the shape is another or these are no numbers.
+        naming the argument, where it is neither of these.
     """
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiu":
-        raise ValueError(f"{name}: expected numbers, but the dtype is {array.dtype}")
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name}: expected shape (N, 3), but it is {array.shape}")
-    return np.ascontiguousarray(array, dtype=np.float64)
-
-
-def as_pose(pose: PoseLike) -> Similarity:
-    """Transform of a ``Similarity``, of a result, or of a homogeneous matrix (4, 4)."""
     if isinstance(pose, Similarity):
         return pose
     found = getattr(pose, "target_from_source", None)
-    return found if isinstance(found, Similarity) else Similarity.from_matrix(pose)  # type: ignore[arg-type]
+    if isinstance(found, Similarity):
+        return found
+    matrix = np.asarray(as_array_like(pose))
+    if matrix.shape == (4, 4):
+        return Similarity.from_matrix(matrix)
+    advice = ""
+    if matrix.shape == (3, 4):
+        advice = "; write np.vstack([pose, [0, 0, 0, 1]])"
+    elif matrix.ndim == 2 and matrix.shape[1] == 3:
+        advice = "; the pose comes before the points"
+    raise ValueError(
+        f"{name}: expected a pose, such as a matrix of shape (4, 4), but it is "
+        f"{matrix.shape or type(pose).__name__}{advice}"
+    )
 
 
 def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
@@ -53,13 +80,25 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
     TypeError
         where both are given, or a keyword is unknown.
     """
+    check_options(kind, options, keywords)
+    return kind(**keywords) if options is None else options
+
+
+def check_options(
+    kind: type[T], options: T | None, keywords: dict[str, Any], name: str = "options"
+) -> None:
+    """Checks what is given for options of a kind, but for values, which the kind itself checks."""
+    refuse_foreign(keywords)
     if options is None:
-        return kind(**keywords)
+        refuse_misread(keywords)
+        return
     if keywords:
-        raise TypeError(f"give options or keywords ({', '.join(keywords)}), not both")
+        raise TypeError(f"give {name} or keywords ({', '.join(keywords)}), not both")
     if not isinstance(options, kind):
-        raise TypeError(f"options: expected {kind.__name__}, got {type(options).__name__}")
-    return options
+        raise TypeError(
+            f"{name}: expected {kind.__name__}, got {type(options).__name__}"
+            f"{advice_on(kind, options)}"
+        )
 
 
 _names_of: dict[type[Any], tuple[str, ...]] = {}  # mypy takes no type for functools.cache
@@ -72,17 +111,78 @@ def option_names(kind: type[Any]) -> tuple[str, ...]:
     return _names_of[kind]
 
 
-def split_options(
-    first: type[T], first_options: T | None, options: Options | None, keywords: dict[str, Any]
-) -> tuple[T, Options]:
-    """Options of two kinds as given, or made from the keywords; no name is in both.
+# The functions below hand `**keywords` on as they are to the options themselves, because editors
+# complete the keywords of a function by following them there.
+
+
+def solver_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
+    """``as_options`` of the solver."""
+    check_options(Options, options, keywords)  # type: ignore[arg-type]
+    return Options(**keywords) if options is None else options
+
+
+def bounded_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
+    """``as_options`` of the solver, where it needs a noise bound.
+
+    Raises
+    ------
+    ValueError
+        where none is given.
+    """
+    return require_bound(solver_options(options, **keywords))
+
+
+def cloud_options(
+    frontend: FrontendOptions | None, options: Options | None, **keywords: Unpack[CloudKeywords]
+) -> tuple[FrontendOptions, Options]:
+    """Options of the front end and of the solver as given, or made from the keywords.
 
     Raises
     ------
     TypeError
         where the options of a kind and keywords of it are given, or a keyword is unknown.
     """
-    names = option_names(first)
-    others = {name: value for name, value in keywords.items() if name not in names}
-    own = {name: value for name, value in keywords.items() if name in names}
-    return as_options(first, first_options, own), as_options(Options, options, others)
+    matching = _of_frontend(frontend, **keywords)
+    return matching, _beside(FrontendOptions, options, **keywords)
+
+
+def instance_options(
+    instances: InstanceOptions | None, options: Options | None, **keywords: Unpack[InstanceKeywords]
+) -> tuple[InstanceOptions, Options]:
+    """Options of instances and of the solver, as ``cloud_options``."""
+    limits = _of_instances(instances, **keywords)
+    return limits, require_bound(_beside(InstanceOptions, options, **keywords))
+
+
+def _of_frontend(frontend: FrontendOptions | None, **keywords: Any) -> FrontendOptions:
+    _keep_those_of(FrontendOptions, keywords)
+    check_options(FrontendOptions, frontend, keywords, "frontend")
+    return FrontendOptions(**keywords) if frontend is None else frontend
+
+
+def _of_instances(instances: InstanceOptions | None, **keywords: Any) -> InstanceOptions:
+    _keep_those_of(InstanceOptions, keywords)
+    check_options(InstanceOptions, instances, keywords, "instances")
+    return InstanceOptions(**keywords) if instances is None else instances
+
+
+def _beside(others: type[Any], options: Options | None, **keywords: Any) -> Options:
+    """Options of the solver among keywords that are of another kind too."""
+    for name in list(keywords):
+        if _is_of(others, name):
+            del keywords[name]
+    return solver_options(options, **keywords)
+
+
+def _keep_those_of(kind: type[Any], keywords: dict[str, Any]) -> None:
+    for name in list(keywords):
+        if not _is_of(kind, name):
+            del keywords[name]
+
+
+def _is_of(kind: type[Any], name: str) -> bool:
+    """Whether a name, or a misspelt one by its looks, is of a kind rather than of ``Options``."""
+    own, solver = option_names(kind), option_names(Options)
+    if name in own or name in solver:
+        return name in own
+    return closeness(name, own) > closeness(name, solver)

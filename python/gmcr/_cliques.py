@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _gmcr
-from ._arguments import as_options
+from ._arguments import check_options
 from ._gmcr import CliqueOptions, CliqueResult, WeightedCliqueOptions, WeightedCliqueResult
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import CliqueKeywords, WeightedCliqueKeywords
 
 
 def _graph_of(graph: Any, num_vertices: int | None) -> _gmcr.Graph:
@@ -48,7 +53,7 @@ def max_clique(
     graph: Any,
     num_vertices: int | None = None,
     options: CliqueOptions | None = None,
-    **keywords: Any,
+    **keywords: Unpack[CliqueKeywords],
 ) -> CliqueResult:
     """Maximum clique of a graph, exact unless a limit binds.
 
@@ -83,9 +88,9 @@ def max_clique(
     >>> gmcr.max_clique([[0, 1], [1, 2], [0, 2], [2, 3]], 4).vertices.tolist()
     [0, 1, 2]
     """
-    return _gmcr.max_clique(
-        _graph_of(graph, num_vertices), as_options(CliqueOptions, options, keywords)
-    )
+    check_options(CliqueOptions, options, keywords)  # type: ignore[arg-type]
+    limits = CliqueOptions(**keywords) if options is None else options
+    return _gmcr.max_clique(_graph_of(graph, num_vertices), limits)
 
 
 def max_weight_clique(
@@ -93,7 +98,7 @@ def max_weight_clique(
     weights: npt.ArrayLike,
     num_vertices: int | None = None,
     options: WeightedCliqueOptions | None = None,
-    **keywords: Any,
+    **keywords: Unpack[WeightedCliqueKeywords],
 ) -> WeightedCliqueResult:
     """Clique of maximum weight, exact unless a limit binds.
 
@@ -113,8 +118,6 @@ def max_weight_clique(
     WeightedCliqueResult
         Vertices, ascending, their weight and the proven upper bound.
     """
-    return _gmcr.max_weight_clique(
-        _graph_of(graph, num_vertices),
-        weights,
-        as_options(WeightedCliqueOptions, options, keywords),
-    )
+    check_options(WeightedCliqueOptions, options, keywords)  # type: ignore[arg-type]
+    limits = WeightedCliqueOptions(**keywords) if options is None else options
+    return _gmcr.max_weight_clique(_graph_of(graph, num_vertices), weights, limits)

@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _gmcr
-from ._arguments import PoseLike, as_options, as_points, as_pose, split_options
+from ._arguments import (
+    CloudLike,
+    PoseLike,
+    as_cloud,
+    as_options,
+    as_pose,
+    cloud_options,
+    solver_options,
+)
 from ._gmcr import CloudMatches, CloudResult, FrontendOptions, Options
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import CloudKeywords, SolverKeywords
 
 
 def register_clouds(
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[CloudKeywords],
 ) -> CloudResult:
     """Pose that aligns two clouds, from no initial guess.
 
@@ -28,10 +41,11 @@ def register_clouds(
 
     Parameters
     ----------
-    source : array_like, shape (N, 3)
-        Points, metres, finite.
-    target : array_like, shape (M, 3)
-        Points, metres, finite.
+    source : array_like, shape (N, 3), or path
+        Points, metres, finite: an array of any library, an Open3D cloud, a structured array with
+        x, y, z, as of ROS, or a file that ``gmcr.io`` reads. More columns may follow x, y, z.
+    target : array_like, shape (M, 3), or path
+        As the source.
     frontend : FrontendOptions, optional
         How clouds become correspondences; voxel sizes come from the data by default.
     options : Options, optional
@@ -48,28 +62,33 @@ def register_clouds(
     ------
     ValueError
         on a wrong shape, a value that is not finite, or an option out of range.
+    OSError
+        where a file cannot be read.
+
+    Examples
+    --------
+    >>> result = gmcr.register_clouds("scan_2.ply", "scan_1.ply", voxel_size=0.1)
+    >>> result.verdict, result.matrix()
     """
-    matching, solver = split_options(FrontendOptions, frontend, options, keywords)
+    matching, solver = cloud_options(frontend, options, **keywords)
     return _gmcr.register_clouds(
-        as_points(source, "source"), as_points(target, "target"), matching, solver
+        as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
     )
 
 
 def match(
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[CloudKeywords],
 ) -> CloudMatches:
     """Correspondences between two clouds by FPFH: the front end of ``register_clouds`` alone.
 
     Parameters
     ----------
-    source : array_like, shape (N, 3)
-        Points, metres, finite.
-    target : array_like, shape (M, 3)
-        Points, metres, finite.
+    source, target : array_like, shape (N, 3) and (M, 3), or path
+        As for ``register_clouds``.
     frontend : FrontendOptions, optional
         How clouds become correspondences.
     options : Options, optional
@@ -82,18 +101,18 @@ def match(
     CloudMatches
         Matched points, their indices, the clouds after the voxel grid.
     """
-    matching, solver = split_options(FrontendOptions, frontend, options, keywords)
+    matching, solver = cloud_options(frontend, options, **keywords)
     return _gmcr.match_clouds(
-        as_points(source, "source"), as_points(target, "target"), matching, solver
+        as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
     )
 
 
 def refine_clouds(
     result: CloudResult,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> CloudResult:
     """The result at the pose near its own at which the surfaces of the clouds meet best.
 
@@ -104,8 +123,8 @@ def refine_clouds(
     ----------
     result : CloudResult
         Of ``register_clouds`` or ``with_pose``.
-    source, target : array_like, shape (N, 3) and (M, 3)
-        The clouds that it is of, metres, finite.
+    source, target : array_like, shape (N, 3) and (M, 3), or path
+        The clouds that it is of, as for ``register_clouds``.
     options, **keywords
         Those that the result was computed with; ``time_limit`` ends the refinement.
 
@@ -121,9 +140,9 @@ def refine_clouds(
     """
     return _gmcr.refine_clouds(
         result,
-        as_points(source, "source"),
-        as_points(target, "target"),
-        as_options(Options, options, keywords),
+        as_cloud(source, "source"),
+        as_cloud(target, "target"),
+        solver_options(options, **keywords),
     )
 
 
@@ -131,7 +150,7 @@ def with_pose(
     result: CloudResult,
     target_from_source: PoseLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> CloudResult:
     """The result with another pose in place of its own, such as a refined one.
 
@@ -149,12 +168,10 @@ def with_pose(
     CloudResult
         Inliers, certificate, fitness and verdict are those of the new pose.
     """
-    return _gmcr.with_pose(
-        result, as_pose(target_from_source), as_options(Options, options, keywords)
-    )
+    return _gmcr.with_pose(result, as_pose(target_from_source), solver_options(options, **keywords))
 
 
-def voxel_grid(points: npt.ArrayLike, voxel_size: float) -> npt.NDArray[np.float64]:
+def voxel_grid(points: CloudLike, voxel_size: float) -> npt.NDArray[np.float64]:
     """Mean of the points in each occupied cell of a cubic grid.
 
     Parameters
@@ -171,14 +188,14 @@ def voxel_grid(points: npt.ArrayLike, voxel_size: float) -> npt.NDArray[np.float
     """
     if not 0 < voxel_size < np.inf:
         raise ValueError(f"voxel_size: {voxel_size} is not positive and finite")
-    array = as_points(points, "points")
+    array = as_cloud(points, "points")
     if not np.isfinite(array).all():
         raise ValueError("points: not all are finite")
     return _gmcr.voxel_grid(array, voxel_size)
 
 
 def fpfh(
-    points: npt.ArrayLike,
+    points: CloudLike,
     *,
     voxel_size: float,
     frontend: FrontendOptions | None = None,
@@ -205,7 +222,7 @@ def fpfh(
     if not 0 < voxel_size < np.inf:
         raise ValueError(f"voxel_size: {voxel_size} is not positive and finite")
     return _gmcr.fpfh(
-        as_points(points, "points"),
+        as_cloud(points, "points"),
         as_options(FrontendOptions, frontend, {}),
         voxel_size,
         num_threads,

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy.typing as npt
-
 from . import _gmcr
-from ._arguments import PoseLike, as_points, as_pose
+from ._arguments import PointsLike, PoseLike, as_points, as_pose
 
 
 @dataclass(frozen=True)
@@ -32,9 +30,7 @@ class PoseErrors:
     mean_point_error: float | None
 
 
-def evaluate(
-    estimate: PoseLike, truth: PoseLike, points: npt.ArrayLike | None = None
-) -> PoseErrors:
+def evaluate(estimate: PoseLike, truth: PoseLike, points: PointsLike | None = None) -> PoseErrors:
     """Errors of a pose against the truth.
 
     Parameters
@@ -48,7 +44,7 @@ def evaluate(
     -------
     PoseErrors
     """
-    pair = as_pose(estimate), as_pose(truth)
+    pair = as_pose(estimate, "estimate"), as_pose(truth, "truth")
     return PoseErrors(
         scale_error=_gmcr.scale_error(*pair),
         rotation_error_deg=_gmcr.rotation_error_deg(*pair),

@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _gmcr
-from ._arguments import PoseLike, as_options, as_points, as_pose, split_options
+from ._arguments import (
+    PointsLike,
+    PoseLike,
+    as_points,
+    as_pose,
+    bounded_options,
+    instance_options,
+)
 from ._gmcr import Consensus, InstanceOptions, Options, Result, Uncertainty
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import InstanceKeywords, SolverKeywords
 
 
 def register_correspondences(
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: PointsLike,
+    target: PointsLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> Result:
     """Transform that most of the correspondences ``source[i] -> target[i]`` agree with.
 
@@ -29,7 +41,7 @@ def register_correspondences(
         Every choice of the solver.
     **keywords
         Fields of ``Options``, instead of ``options``; ``noise_bound`` in metres is the one that is
-        needed.
+        needed, or 'auto' to take it from the data.
 
     Returns
     -------
@@ -50,6 +62,8 @@ def register_correspondences(
     sufficing; the clique search is exponential in the worst case and ends at
     ``options.time_limit``. Other Python threads run meanwhile, and Ctrl-C stops it.
 
+    Points may be of any library: torch tensors, clouds of Open3D, structured arrays with x, y, z.
+
     Examples
     --------
     >>> problem = gmcr.make_synthetic(num_correspondences=200, outlier_rate=0.9, seed=1)
@@ -60,16 +74,16 @@ def register_correspondences(
     return _gmcr.register_correspondences(
         as_points(source, "source"),
         as_points(target, "target"),
-        as_options(Options, options, keywords),
+        bounded_options(options, **keywords),
     )
 
 
 def register_instances(
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: PointsLike,
+    target: PointsLike,
     options: Options | None = None,
     instances: InstanceOptions | None = None,
-    **keywords: Any,
+    **keywords: Unpack[InstanceKeywords],
 ) -> list[Result]:
     """Several instances of the source in the target.
 
@@ -91,7 +105,7 @@ def register_instances(
     list of Result
         Never empty; the inliers of later ones are those that no earlier one has.
     """
-    limits, solver = split_options(InstanceOptions, instances, options, keywords)
+    limits, solver = instance_options(instances, options, **keywords)
     return _gmcr.register_instances(
         as_points(source, "source"), as_points(target, "target"), solver, limits
     )
@@ -99,10 +113,10 @@ def register_instances(
 
 def evaluate_consensus(
     target_from_source: PoseLike,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: PointsLike,
+    target: PointsLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> Consensus:
     """Consensus set of a given transform, by the rules of ``Result.inliers``.
 
@@ -124,17 +138,17 @@ def evaluate_consensus(
         as_pose(target_from_source),
         as_points(source, "source"),
         as_points(target, "target"),
-        as_options(Options, options, keywords),
+        bounded_options(options, **keywords),
     )
 
 
 def evaluate_uncertainty(
     target_from_source: PoseLike,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: PointsLike,
+    target: PointsLike,
     inliers: npt.ArrayLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> Uncertainty:
     """Covariance and consistent scales of a given transform, by the rules of ``Result``.
 
@@ -159,15 +173,15 @@ def evaluate_uncertainty(
         as_points(source, "source"),
         as_points(target, "target"),
         inliers,
-        as_options(Options, options, keywords),
+        bounded_options(options, **keywords),
     )
 
 
 def consistency_graph(
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: PointsLike,
+    target: PointsLike,
     options: Options | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> npt.NDArray[np.bool_]:
     """Which pairs of correspondences can be inliers of one transform: the graph that is searched.
 
@@ -188,5 +202,5 @@ def consistency_graph(
     return _gmcr.consistency_graph(
         as_points(source, "source"),
         as_points(target, "target"),
-        as_options(Options, options, keywords),
+        bounded_options(options, **keywords),
     )

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy.typing as npt
+from typing import TYPE_CHECKING
 
 from . import _gmcr
-from ._arguments import as_points
+from ._arguments import CloudLike, as_cloud
 from ._enums import SyntheticKind
 from ._gmcr import SyntheticOptions, SyntheticProblem
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import SyntheticKeywords, SyntheticKindWord
 
 _PRESETS = {
     SyntheticKind.BALL: SyntheticOptions,
@@ -21,9 +24,9 @@ _PRESETS = {
 def make_synthetic(
     options: SyntheticOptions | None = None,
     *,
-    kind: str = "ball",
-    model: npt.ArrayLike | None = None,
-    **keywords: Any,
+    kind: SyntheticKindWord = "ball",
+    model: CloudLike | None = None,
+    **keywords: Unpack[SyntheticKeywords],
 ) -> SyntheticProblem:
     """A random registration problem, the same for the same options on every machine.
 
@@ -55,12 +58,11 @@ def make_synthetic(
         except ValueError:
             words = ", ".join(repr(word) for word in SyntheticKind)
             raise ValueError(f"kind: {kind!r} is not one of {words}") from None
-        for name, value in keywords.items():
-            if not hasattr(options, name):
-                raise TypeError(f"make_synthetic() got an unexpected keyword argument {name!r}")
-            setattr(options, name, value)
+        changed = SyntheticOptions(**keywords)
+        for name in keywords:
+            setattr(options, name, getattr(changed, name))
     elif keywords or kind != "ball":
         raise TypeError("give options, or kind and keywords, not both")
     if model is None:
         return _gmcr.make_synthetic(options)
-    return _gmcr.make_synthetic(options, as_points(model, "model"))
+    return _gmcr.make_synthetic(options, as_cloud(model, "model"))

@@ -15,6 +15,36 @@ std::string describe(const CloudResult& result) {
                                                      result.matches.source.cols(), registration));
 }
 
+/// A property that is a field of the registration, described as there.
+template <class Value>
+void forward(nb::class_<CloudResult>& result, const char* name, Value Result::*member) {
+  const std::string signature = "def " + std::string(name) + "(self) -> " + Convert<Value>::type();
+  const auto doc = nb::cast<std::string>(nb::type<Result>().attr(name).attr("__doc__"));
+  result.def_prop_ro(
+      name,
+      [member](nb::handle self) {
+        return Convert<Value>::to_python(nb::cast<const CloudResult&>(self).registration.*member,
+                                         self);
+      },
+      nb::sig(signature.c_str()), doc.c_str());
+}
+
+/// What the registration holds, so that one need not know where a result keeps it; the verdict is
+/// the one of the clouds.
+void forward_registration(nb::class_<CloudResult>& result) {
+  forward(result, "status", &Result::status);
+  forward(result, "status_reason", &Result::status_reason);
+  forward(result, "inliers", &Result::inliers);
+  forward(result, "evidence", &Result::evidence);
+  forward(result, "log10_false_alarms", &Result::log10_false_alarms);
+  forward(result, "certificate", &Result::certificate);
+  forward(result, "consistent_scales", &Result::consistent_scales);
+  forward(result, "covariance", &Result::covariance);
+  forward(result, "alternatives", &Result::alternatives);
+  forward(result, "noise_estimate", &Result::noise_estimate);
+  forward(result, "diagnostics", &Result::diagnostics);
+}
+
 void bind_matches(nb::module_& module) {
   Record<CloudMatches>(module, "CloudMatches", "Putative correspondences between two clouds.")
       .field("source", &CloudMatches::source, "(M, 3), matched points of the source, metres.")
@@ -103,14 +133,12 @@ void bind_cloud_result(nb::module_& module) {
       "target_from_source",
       [](const CloudResult& self) { return self.registration.target_from_source; },
       "The transform of the registration.");
-  result.def(
-      "matrix",
-      [](const CloudResult& self) {
-        return Convert<Eigen::Matrix4d>::to_python(self.registration.target_from_source.matrix(),
-                                                   {});
-      },
-      nb::sig("def matrix(self) -> numpy.typing.NDArray[numpy.float64]"),
-      "Homogeneous matrix [s R, t; 0 0 0 1] of the transform, (4, 4).");
+  add_pose(result, [](const CloudResult& self) -> const Similarity& {
+    return self.registration.target_from_source;
+  });
+  add_pose_graph(result,
+                 [](const CloudResult& self) -> const Result& { return self.registration; });
+  forward_registration(result);
   add_report(result);
 }
 

@@ -43,8 +43,34 @@ struct Convert {
   }
   static T from_python(nb::handle value, const char* name) {
     T out;
-    if (!nb::try_cast(value, out)) refuse(name, value, type());
+    if (!nb::try_cast(value, out)) refuse(name, value, expected());
     return out;
+  }
+
+ private:
+  /// The type in words, for messages.
+  static std::string expected() {
+    if constexpr (std::is_same_v<T, bool>) return "True or False";
+    if constexpr (std::is_floating_point_v<T>) return "a number";
+    if constexpr (std::is_unsigned_v<T>) return "a whole number >= 0";
+    if constexpr (std::is_integral_v<T>) return "a whole number";
+    if constexpr (!std::is_arithmetic_v<T>) return type();
+  }
+};
+
+/// A transform may be given as whatever holds one, such as a homogeneous matrix.
+template <>
+struct Convert<Similarity> {
+  static std::string type() { return "Similarity"; }
+  static std::string accepted() { return "gmcr._arguments.PoseLike"; }
+  static nb::object to_python(const Similarity& value, nb::handle) {
+    return nb::cast(value, nb::rv_policy::copy);
+  }
+  static Similarity from_python(nb::handle value, const char* name) {
+    Similarity pose;
+    if (nb::try_cast(value, pose)) return pose;
+    return nb::cast<Similarity>(
+        nb::module_::import_("gmcr._arguments").attr("as_pose")(value, name));
   }
 };
 
@@ -52,7 +78,13 @@ struct Convert {
 template <class T>
 struct Convert<T, std::enable_if_t<std::is_enum_v<T>>> {
   static std::string type() { return std::string("gmcr._enums.") + options::Words<T>::name; }
-  static std::string accepted() { return "str"; }
+  static std::string accepted() {
+    std::string words;
+    for (const auto& word : options::Words<T>::words) {
+      words += (words.empty() ? "'" : ", '") + std::string(word.word) + "'";
+    }
+    return "typing.Literal[" + words + "] | " + type();
+  }
   static nb::object to_python(T value, nb::handle) {
     return nb::module_::import_("gmcr._enums").attr(options::Words<T>::name)(name_of(value));
   }

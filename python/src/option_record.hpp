@@ -1,5 +1,6 @@
 #pragma once
 
+#include "noise_bound.hpp"
 #include "options/table.hpp"
 #include "progress.hpp"
 #include "record.hpp"
@@ -11,7 +12,15 @@ template <class T>
 nb::class_<T> bind_options_of(nb::module_& module, const char* name, const char* doc) {
   Record<T> record(module, name, doc);
   options::for_each_option<T>([&](const auto& option) {
-    record.field(option.about.name, option.place, options::describe(option.about) + ".");
+    const std::string text = options::describe(option.about) + ".";
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(option.place)>, double Options::*>) {
+      if (option.place == &Options::noise_bound) {
+        record.field(
+            option.about.name, [](Options& self) { return NoiseBound{self}; }, text);
+        return;
+      }
+    }
+    record.field(option.about.name, option.place, text);
   });
   for (const options::Gone& gone : options::Table<T>::gone) record.gone(gone.name, gone.advice);
   return record.settable();

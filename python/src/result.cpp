@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -197,27 +198,7 @@ void bind_results(nb::module_& module) {
           .read_only(&describe);
   add_pose(result);
   add_report(result);
-  result.def(
-      "pose_graph_covariance",
-      [](const Result& self, const std::string& convention) -> nb::object {
-        if (convention != "gtsam" && convention != "ros") {
-          throw std::invalid_argument("convention: '" + convention + "' is not 'gtsam' or 'ros'");
-        }
-        if (!self.covariance) return nb::none();
-        const Eigen::MatrixXd matrix =
-            pose_graph_covariance(*self.covariance, self.target_from_source,
-                                  convention == "ros" ? PoseGraph::Ros : PoseGraph::Gtsam);
-        return Convert<Eigen::MatrixXd>::to_python(matrix, nb::handle());
-      },
-      nb::arg("convention"),
-      nb::sig("def pose_graph_covariance(self, convention: str) -> "
-              "numpy.typing.NDArray[numpy.float64] | None"),
-      "(6, 6) covariance of the rotation and the translation as a pose graph wants it, or None.\n\n"
-      "'gtsam': of T in T Exp(xi), rotation first, in the frame of the source.\n"
-      "'ros': geometry_msgs/PoseWithCovariance, translation first, axes of the target frame.");
-  result.def_prop_ro(
-      "runner_up_ratio", &Result::runner_up_ratio,
-      "Evidence of the best alternative over that of the result; near 1: ambiguous.");
+  add_pose_graph(result, std::identity{});
   Record<Consensus>(module, "Consensus", "The correspondences that agree with a transform.")
       .field("inliers", &Consensus::inliers, "(m,) int64, ascending, read only.")
       .field("evidence", &Consensus::evidence, "Sum of the evidence of the inliers.")

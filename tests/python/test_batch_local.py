@@ -174,10 +174,15 @@ def test_other_options_are_refused(tmp_path):
 def test_error_rows_are_done_again_on_request(tmp_path):
     pairs = write_pairs(tmp_path, ["a", "b"])
     (tmp_path / "matches1.npy").rename(tmp_path / "away.npy")
-    assert run(pairs, tmp_path / "out").statuses == {"ok": 1, "error": 1}
+    first = run(pairs, tmp_path / "out")
+    assert first.statuses == {"ok": 1, "error": 1}
+    assert first.num_errors == 1
+    assert first.first_error.startswith("b: FileNotFoundError: ")
     (tmp_path / "away.npy").rename(tmp_path / "matches1.npy")
-    assert run(pairs, tmp_path / "out").statuses == {}
-    assert run(pairs, tmp_path / "out", retry_errors=True).statuses == {"ok": 1}
+    again = run(pairs, tmp_path / "out")
+    assert (again.statuses, again.num_errors, again.first_error) == ({}, 1, "")
+    retried = run(pairs, tmp_path / "out", retry_errors=True)
+    assert (retried.statuses, retried.num_errors) == ({"ok": 1}, 0)
     assert rows_by_id(tmp_path / "out")["b"].status == "ok"
 
 
@@ -226,7 +231,8 @@ def test_a_run_that_was_killed_goes_on_without_losing_or_repeating_a_pair(tmp_pa
 
 def test_a_script_whose_workers_cannot_start_is_told_so_and_has_no_error_rows(tmp_path):
     pairs, script = write_pairs(tmp_path, ["a"]), tmp_path / "no_guard.py"
-    call = f"batch.run({str(pairs)!r}, {str(tmp_path / 'out')!r}, format='jsonl')"
+    places = f"{str(pairs)!r}, {str(tmp_path / 'out')!r}"
+    call = f"batch.run({places}, format='jsonl', options={OPTIONS!r})"
     script.write_text(f"from gmcr import batch\n{call}\n")
     driver = start([sys.executable, str(script)])
     _, errors = driver.communicate(timeout=30)
@@ -262,7 +268,35 @@ def test_the_command_says_what_it_did(tmp_path, capsys):
     assert main([*arguments, "--noise-bound", "auto", "--estimate-scale", "--restart"]) == 0
     (tmp_path / "matches0.npy").unlink()
     assert main([*arguments, "--restart", "--noise-bound", "0.05"]) == 1
-    assert "1 error" in capsys.readouterr().err
+    error = capsys.readouterr().err
+    assert "1 error" in error and "first error: a: FileNotFoundError" in error
+    assert main([*arguments, "--noise-bound", "0.05"]) == 1  # the row is an error still
+    assert "error rows of earlier runs: 1; --retry-errors" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("suffix", [".npy", ".csv"])
+def test_a_list_of_which_every_pair_lacks_a_bound_fails_at_once(tmp_path, capsys, suffix):
+    problem = gmcr.make_synthetic(num_correspondences=50, outlier_rate=0.5, seed=3)
+    matches = np.hstack([problem.source, problem.target])
+    bounded = np.hstack([matches, np.full((50, 1), 0.05)])
+    for name, table in (("plain", matches), ("bounded", bounded)):
+        if suffix == ".npy":
+            np.save(tmp_path / f"{name}.npy", table)
+        else:
+            np.savetxt(tmp_path / f"{name}.csv", table, delimiter=",")
+    pairs, out = tmp_path / "pairs.csv", tmp_path / "out"
+    pairs.write_text(f"id,matches\na,plain{suffix}\nb,plain{suffix}\n")
+    assert main([str(pairs), "--out", str(out)]) == 2
+    error = capsys.readouterr().err
+    assert "noise_bound: is missing, so that each of the 2 pairs would fail" in error
+    assert not out.exists()
+    # one pair that may succeed is enough, by its file or by an option of its own
+    pairs.write_text(f"id,matches\na,plain{suffix}\nb,bounded{suffix}\n")
+    summary = run(pairs, out, options={})
+    assert summary.statuses == {"error": 1, "ok": 1}
+    assert summary.first_error.startswith("a: ValueError: noise_bound: ")
+    pairs.write_text(f"id,matches,noise_bound\na,plain{suffix},\nb,plain{suffix},auto\n")
+    assert run(pairs, tmp_path / "own", options={}).statuses == {"error": 1, "ok": 1}
 
 
 @pytest.mark.parametrize(

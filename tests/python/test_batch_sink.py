@@ -84,7 +84,7 @@ def test_what_a_killed_run_left_half_written_does_not_count(tmp_path, kind):
     torn = tmp_path / f".part-000001.{kind}.tmp"
     torn.write_bytes(b'{"id": "b", "sta')
     with Sink(tmp_path, kind, {}) as sink:
-        assert sink.done_ids() == {"a"}
+        assert sink.statuses() == {"a": "ok"}
         sink.write([Row("b", "ok")])
     assert [row.id for row in rows_in(tmp_path)] == ["a", "b"]
     assert not torn.exists()
@@ -96,7 +96,7 @@ def test_another_setup_is_refused_until_a_restart(tmp_path, kind):
     with pytest.raises(SinkError, match=r"options was \{'noise_bound': 1\}, is \{\}"):
         Sink(tmp_path, kind, {"options": {}})
     with Sink(tmp_path, kind, {"options": {}}, restart=True) as sink:
-        assert sink.done_ids() == set()
+        assert sink.statuses() == {}
     assert rows_in(tmp_path) == []
 
 
@@ -122,7 +122,7 @@ def test_error_rows_can_be_dropped(tmp_path, kind):
         sink.write([FULL, EMPTY])
         sink.flush()
         assert sink.drop_errors() == 1
-        assert sink.done_ids() == {"full"}
+        assert sink.statuses().keys() == {"full"}
     assert rows_in(tmp_path) == [FULL]
 
 

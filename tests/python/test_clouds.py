@@ -63,6 +63,37 @@ def test_the_properties_of_a_cloud_result(result, clouds):
     assert registration.inliers.max() < len(matches.source)
 
 
+def test_a_cloud_result_has_all_that_its_registration_has(result):
+    registration = result.registration
+    public = {name for name in dir(gmcr.Result) if not name.startswith("_")}
+    assert public <= set(dir(gmcr.CloudResult))
+    assert result.status is gmcr.Status.OK
+    assert (result.status_reason, result.evidence) == ("", registration.evidence)
+    assert np.array_equal(result.inliers, registration.inliers)
+    assert result.certificate.upper == registration.certificate.upper > 0
+    assert np.array_equal(result.covariance.matrix, registration.covariance.matrix)
+    for convention in ("gtsam", "ros"):
+        of_clouds, of_matches = (
+            each.pose_graph_covariance(convention) for each in (result, registration)
+        )
+        assert of_clouds.shape == (6, 6)
+        assert np.array_equal(of_clouds, of_matches)
+    assert np.array_equal(result.rotation, registration.rotation)
+    assert np.array_equal(result.translation, registration.translation)
+    assert (result.scale, result.consistent_scales) == (1, registration.consistent_scales)
+    assert result.log10_false_alarms == registration.log10_false_alarms < 0
+    assert result.diagnostics.stages == registration.diagnostics.stages
+    assert (result.alternatives, result.noise_estimate, result.runner_up_ratio) == ([], None, 0)
+    with pytest.raises(ValueError, match="convention: 'g2o' is not 'gtsam' or 'ros'"):
+        result.pose_graph_covariance("g2o")
+
+
+def test_the_inliers_of_a_cloud_result_outlive_it(clouds):
+    inliers = gmcr.register_clouds(*clouds[:2], voxel_size=0.1).inliers
+    assert not inliers.flags.writeable
+    assert inliers.tolist() == sorted(set(inliers.tolist()))
+
+
 def test_a_different_number_of_points_is_counted_apart(clouds):
     result = gmcr.register_clouds(clouds[0][:2000], clouds[1])
     assert (result.num_source_points, result.num_target_points) == (2000, 3000)

@@ -216,6 +216,28 @@ def test_initial_pose_admits_only_poses_near_it(problem):
     assert len(solve(problem, initial_pose=far).inliers) < 20
 
 
+def test_an_initial_pose_may_be_a_matrix_or_a_result(problem):
+    truth = problem.target_from_source
+    near = {"max_rotation": 0.1, "max_translation": 0.1}
+    for pose in (truth, truth.matrix(), truth.matrix().tolist(), problem, solve(problem)):
+        initial = gmcr.InitialPose(target_from_source=pose, **near)
+        assert np.allclose(initial.target_from_source.matrix(), truth.matrix(), atol=0.02)
+        assert solve(problem, initial_pose=initial).certificate.lower >= 39
+    with pytest.raises(ValueError, match=r"target_from_source: expected a pose.*\(3, 3\)"):
+        gmcr.InitialPose(target_from_source=np.eye(3))
+
+
+def test_a_value_of_a_wrong_type_is_refused_in_words():
+    for name, value, words in (
+        ("time_limit", "10 s", "'10 s' is not a number"),
+        ("num_threads", 1.5, "1.5 is not a whole number"),
+        ("memory_limit", -1, "-1 is not a whole number >= 0"),
+        ("certify", "no", "'no' is not True or False"),
+    ):
+        with pytest.raises(TypeError, match=f"^{name}: {words}$"):
+            gmcr.Options(**{name: value})
+
+
 def test_max_translation_admits_only_short_ones(problem):
     assert np.linalg.norm(problem.translation) > 0.3
     assert len(solve(problem, max_translation=0.2).inliers) < 20

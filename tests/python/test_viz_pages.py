@@ -155,7 +155,7 @@ def test_slider_of_the_report_moves_the_source_to_where_it_was_given_and_back(
         page.wait_for_function(f"{drawn}.x[0] !== {before}")
         return np.transpose(page.evaluate(f"['x', 'y', 'z'].map(i => Array.from({drawn}[i]))"))
 
-    _, scene = scene_of_result(result, *clouds[:2], None, {}, LIMITS)
+    _, scene = scene_of_result(result, *clouds[:2], gmcr.Options(), LIMITS)
     given = clouds[0][scene.source_points.indices]
     pose = result.registration
     arrived = given @ (pose.scale * pose.rotation).T + pose.translation

@@ -27,7 +27,7 @@ def scene_of(
     **keywords: object,
 ) -> tuple[Outcome, Scene]:
     keywords = keywords or {"noise_bound": NOISE_BOUND}
-    return scene_of_result(result, problem.source, problem.target, None, keywords, limits)
+    return scene_of_result(result, problem.source, problem.target, gmcr.Options(**keywords), limits)
 
 
 def rotation_about(axis: np.ndarray, angle: float) -> np.ndarray:
@@ -141,7 +141,7 @@ def test_far_points_are_drawn_near_the_origin(problem: gmcr.SyntheticProblem) ->
     offset = np.array([5e5, 4e6, 100])
     source, target = problem.source + offset, problem.target + offset
     result = gmcr.register_correspondences(source, target, noise_bound=NOISE_BOUND)
-    outcome, scene = scene_of_result(result, source, target, None, {"noise_bound": 0.02}, None)
+    outcome, scene = scene_of_result(result, source, target, gmcr.Options(noise_bound=0.02), None)
     assert np.abs(scene.target_cloud).max() < 100
     moved = source @ (result.scale * result.rotation).T + result.translation
     assert scene.motion.apply(scene.source_cloud) + scene.origin == pytest.approx(moved, abs=1e-6)
@@ -153,7 +153,9 @@ def test_clouds_are_counted_as_given_and_matches_as_found(
 ) -> None:
     source, target, _ = clouds
     result = gmcr.register_clouds(source, target)
-    outcome, scene = scene_of_result(result, source, target, None, {}, DrawLimits(points=1000))
+    outcome, scene = scene_of_result(
+        result, source, target, gmcr.Options(), DrawLimits(points=1000)
+    )
     assert scene.source_points.total == len(source)
     assert len(scene.source_cloud) == 1000
     assert scene.inliers.total == len(result.registration.inliers)
@@ -193,7 +195,7 @@ def test_the_matrix_and_the_stages_are_left_to_the_pictures(
 def test_data_without_an_answer_has_no_pose_and_no_graph() -> None:
     points = np.eye(3)[:2]
     result = gmcr.register_correspondences(points, points, noise_bound=0.1)
-    outcome, scene = scene_of_result(result, points, points, None, {"noise_bound": 0.1}, None)
+    outcome, scene = scene_of_result(result, points, points, gmcr.Options(noise_bound=0.1), None)
     assert not outcome.has_pose and scene.graph is None
     assert words.headline(outcome) == ("status", "too few correspondences", "bad")
     assert dict(words.result_rows(outcome))["status"].startswith("too_few_correspondences: ")
@@ -208,12 +210,12 @@ def test_points_and_options_of_another_result_are_refused(
         scene_of(result, problem, noise_bound=1e-5)
     with pytest.raises(ValueError, match="noise_bound: an inlier has"):
         scene_of_result(
-            result, problem.target, problem.source, None, {"noise_bound": NOISE_BOUND}, None
+            result, problem.target, problem.source, gmcr.Options(noise_bound=NOISE_BOUND), None
         )
     with pytest.raises(ValueError, match=r"source: shape \(99, 3\)"):
-        scene_of_result(result, problem.source[:99], problem.target[:99], None, {}, None)
+        scene_of_result(result, problem.source[:99], problem.target[:99], gmcr.Options(), None)
     with pytest.raises(TypeError, match="result: expected Result or CloudResult, got str"):
-        scene_of_result("ok", problem.source, problem.target, None, {}, None)  # type: ignore[arg-type]
+        scene_of_result("ok", problem.source, problem.target, gmcr.Options(), None)  # type: ignore[arg-type]
 
 
 def test_limits_below_one_are_refused() -> None:

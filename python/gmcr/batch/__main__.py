@@ -24,8 +24,8 @@ pairs: CSV, JSONL or Parquet with the columns id and matches (.csv, .npy), or id
   python -m gmcr.batch scans.jsonl --out results --voxel 0.3 --format jsonl --workers 8
   python -m gmcr.batch pairs.parquet --out results --address auto --set scale_range=[0.5,2]
 
-exit: 0 every pair was worked on, 1 some rows are errors, 2 bad usage or input, 3 a file cannot be
-read or written, 130 interrupted."""
+exit: 0 every pair was worked on, 1 some rows are errors, also of earlier runs, 2 bad usage or
+input, 3 a file cannot be read or written, 130 interrupted."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -62,7 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("gmcr.batch: interrupted; run the same command again to go on", file=sys.stderr)
         return 130
     print(_describe(summary), file=sys.stderr)
-    return 1 if "error" in summary.statuses else 0
+    return 1 if summary.num_errors else 0
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -148,8 +148,18 @@ def _describe(summary: Summary) -> str:
     rate = num_new / summary.seconds if summary.seconds > 0 else 0
     return (
         f"{num_new} of {summary.num_pairs} pairs in {summary.seconds:.1f} s ({rate:.3g} a second), "
-        f"{summary.num_skipped} done before; {counts or 'nothing to do'}"
+        f"{summary.num_skipped} done before; {counts or 'nothing to do'}{_describe_errors(summary)}"
     )
+
+
+def _describe_errors(summary: Summary) -> str:
+    lines = ""
+    if summary.first_error:
+        lines += f"\nfirst error: {summary.first_error}"
+    num_earlier = summary.num_errors - summary.statuses.get("error", 0)
+    if num_earlier:
+        lines += f"\nerror rows of earlier runs: {num_earlier}; --retry-errors does them again"
+    return lines
 
 
 def _interrupt(signal_number: int, frame: FrameType | None) -> None:

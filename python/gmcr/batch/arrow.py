@@ -43,10 +43,10 @@ def stream(path: Path) -> Iterator[Fields]:
         yield from batch.to_pylist()
 
 
-def read_ids(path: Path) -> list[str]:
-    """The column ``id`` of a part of the results."""
-    ids: list[str] = pyarrow.parquet.ParquetFile(path).read(["id"])["id"].to_pylist()
-    return ids
+def read_statuses(path: Path) -> Iterator[tuple[str, str]]:
+    """The columns ``id`` and ``status`` of a part of the results."""
+    table = pyarrow.parquet.ParquetFile(path).read(["id", "status"])
+    yield from zip(table["id"].to_pylist(), table["status"].to_pylist(), strict=True)
 
 
 def write_rows(path: Path, rows: list[Fields]) -> None:

@@ -16,7 +16,7 @@ class Format(Protocol):
 
     def write(self, path: Path, rows: list[Fields]) -> None: ...
     def read(self, path: Path) -> list[Fields]: ...
-    def read_ids(self, path: Path) -> Iterable[str]: ...
+    def read_statuses(self, path: Path) -> Iterable[tuple[str, str]]: ...
 
 
 class _Jsonl:
@@ -33,8 +33,8 @@ class _Jsonl:
         with path.open() as file:
             return [json.loads(line) for line in file]
 
-    def read_ids(self, path: Path) -> Iterable[str]:
-        return (row["id"] for row in self.read(path))
+    def read_statuses(self, path: Path) -> Iterable[tuple[str, str]]:
+        return ((row["id"], row["status"]) for row in self.read(path))
 
 
 class _Parquet:
@@ -52,10 +52,10 @@ class _Parquet:
 
         return list(arrow.stream(path))
 
-    def read_ids(self, path: Path) -> Iterable[str]:
+    def read_statuses(self, path: Path) -> Iterable[tuple[str, str]]:
         from . import arrow
 
-        return arrow.read_ids(path)
+        return arrow.read_statuses(path)
 
 
 def _finite(value: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import gmcr
@@ -36,6 +36,46 @@ def register_pair(pair: Pair, options: Mapping[str, Any]) -> Row:
     """
     values = {**options, **pair.options}
     return _of_clouds(pair, values) if pair.matches is None else _of_matches(pair, values)
+
+
+def refuse_hopeless(pairs: Iterable[Pair], options: Mapping[str, Any]) -> None:
+    """Refuses a list no pair of which can come to a pose: none has a noise bound.
+
+    Parameters
+    ----------
+    pairs : iterable of Pair
+        Read until the first that may succeed.
+    options : mapping
+        Options of all pairs.
+
+    Raises
+    ------
+    ValueError
+        where each pair is of matches, and none of those that can be read has a bound.
+    """
+    num_pairs = num_without = 0
+    for pair in pairs:
+        values = {**options, **pair.options}
+        if pair.matches is None or _is_bounded(values):
+            return
+        num_pairs += 1
+        try:
+            noise_bounds = read_matches(pair.matches)[2]
+        except (OSError, ValueError):
+            continue  # for the row to say; the workers may see files that this machine does not
+        if noise_bounds is not None:
+            return
+        num_without += 1
+    if num_without:
+        raise ValueError(
+            f"noise_bound: is missing, so that each of the {num_pairs} pairs would fail; give one "
+            "to all (noise_bound=0.05, metres, or 'auto'), a column noise_bound to the list of "
+            "pairs, or a seventh column to the matches"
+        )
+
+
+def _is_bounded(values: Mapping[str, Any]) -> bool:
+    return values.get("noise_mode") == "estimated" or values.get("noise_bound", 0) != 0
 
 
 def _of_matches(pair: Pair, values: dict[str, Any]) -> Row:

@@ -6,7 +6,7 @@ import collections
 import dataclasses
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,8 @@ from .local import LocalBackend
 from .options import check_options
 from .pairs import count_pairs, read_pairs
 from .progress import Progress
-from .registration import register_pair
+from .registration import refuse_hopeless, register_pair
+from .row import Row
 from .schedule import Backend, schedule
 from .sink import Sink
 from .work import Register, Work
@@ -33,6 +34,10 @@ class Summary:
     statuses: dict[str, int]
     #: Wall time, without reading and checking the list.
     seconds: float
+    #: Error rows in the folder, those of earlier runs too; ``retry_errors`` works on them again.
+    num_errors: int
+    #: ``id: reason`` of the first error row of this run; empty where it has none.
+    first_error: str
 
 
 def run(
@@ -103,8 +108,9 @@ def run(
     Raises
     ------
     ValueError
-        before any work: on a malformed list (``PairsError``), an option out of range, or a folder
-        with rows of other options (``SinkError``).
+        before any work: on a malformed list (``PairsError``), an option out of range, a list of
+        which every pair lacks a noise bound, or a folder with rows of other options
+        (``SinkError``).
     OSError
         where the list cannot be read or the rows cannot be written.
     ConnectionError
@@ -117,6 +123,8 @@ def run(
     if address is not None and num_workers:
         raise ValueError(f"num_workers: {num_workers} with an address: a cluster has its own")
     num_pairs = count_pairs(pairs)
+    if register is register_pair:
+        refuse_hopeless(read_pairs(pairs), options)
     setup = {
         "version": gmcr.__version__,
         "register": f"{register.__module__}.{register.__qualname__}",
@@ -128,7 +136,9 @@ def run(
     with Sink(out, format, setup, restart=restart, part_seconds=part_seconds) as sink:
         if retry_errors:
             sink.drop_errors()
-        done = sink.done_ids()
+        done = sink.statuses()
+        num_errors = sum(status == "error" for status in done.values())
+        first_error = ""
         started = time.perf_counter()
         todo = (pair for pair in read_pairs(pairs) if pair.id not in done)
         statuses: collections.Counter[str] = collections.Counter()
@@ -139,12 +149,24 @@ def run(
                 sink.write(rows)
                 bar.add(rows)
                 statuses.update(row.status for row in rows)
+                first_error = first_error or _first_error(rows)
         finally:
             backend.close()
             bar.close()
         sink.flush()
         seconds = time.perf_counter() - started
-    return Summary(num_pairs, num_pairs - sum(statuses.values()), dict(statuses), seconds)
+    return Summary(
+        num_pairs=num_pairs,
+        num_skipped=num_pairs - sum(statuses.values()),
+        statuses=dict(statuses),
+        seconds=seconds,
+        num_errors=num_errors + statuses["error"],
+        first_error=first_error,
+    )
+
+
+def _first_error(rows: Iterable[Row]) -> str:
+    return next((f"{row.id}: {row.reason}" for row in rows if row.status == "error"), "")
 
 
 def _backend(work: Work, address: str | None, num_workers: int) -> Backend:

@@ -88,9 +88,10 @@ class Sink:
         finally:
             self._lock.close()
 
-    def done_ids(self) -> set[str]:
-        """Ids of the pairs that have a row on disk."""
-        return {id for part in self._parts() for id in self._format.read_ids(part)}
+    def statuses(self) -> dict[str, str]:
+        """Id -> status of the pairs that have a row on disk."""
+        parts = self._parts()
+        return {id: status for part in parts for id, status in self._format.read_statuses(part)}
 
     def drop_errors(self) -> int:
         """Removes the error rows, so that their pairs are worked on again; how many."""

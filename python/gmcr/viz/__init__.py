@@ -12,29 +12,31 @@ from __future__ import annotations
 import importlib.util
 import threading
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import numpy.typing as npt
-
-from .. import CloudResult, Options, Result
+from .. import CloudLike, CloudResult, Options, Result
+from .._arguments import solver_options
 from .prepare import scene_of_result
 from .scene import DrawLimits
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go  # type: ignore[import-untyped]
     import viser
+    from typing_extensions import Unpack
+
+    from .._keywords import SolverKeywords
 
 __all__ = ["DrawLimits", "plot", "report", "show"]
 
 
 def plot(
     result: Result | CloudResult,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     options: Options | None = None,
     *,
     limits: DrawLimits | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> go.Figure:
     """Both clouds and the correspondences, with a slider from before to after.
 
@@ -42,8 +44,8 @@ def plot(
     ----------
     result : Result or CloudResult
         Of ``register_correspondences`` or ``register_clouds``.
-    source, target : array_like, shapes (N, 3) and (M, 3)
-        The points that the result was computed from, metres.
+    source, target : array_like, shapes (N, 3) and (M, 3), or paths of clouds
+        What the result was computed from, metres.
     options : Options, optional
         Those that the result was computed with.
     limits : DrawLimits, optional
@@ -66,19 +68,20 @@ def plot(
     _require("plotly")
     from .figures import clouds_figure
 
-    return clouds_figure(*scene_of_result(result, source, target, options, keywords, limits))
+    chosen = solver_options(options, **keywords)
+    return clouds_figure(*scene_of_result(result, source, target, chosen, limits))
 
 
 def report(
     result: Result | CloudResult,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     path: str | Path,
     options: Options | None = None,
     *,
     title: str = "Registration",
     limits: DrawLimits | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> Path:
     """Writes one HTML file with all that the result says; it opens without a network.
 
@@ -107,22 +110,23 @@ def report(
     _require("plotly")
     from .page import write_page
 
-    outcome, scene = scene_of_result(result, source, target, options, keywords, limits)
+    chosen = solver_options(options, **keywords)
+    outcome, scene = scene_of_result(result, source, target, chosen, limits)
     write_page(Path(path), outcome, scene, title)
     return Path(path)
 
 
 def show(
     result: Result | CloudResult,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
+    source: CloudLike,
+    target: CloudLike,
     options: Options | None = None,
     *,
     host: str = "127.0.0.1",
     port: int = 8080,
     block: bool = False,
     limits: DrawLimits | None = None,
-    **keywords: Any,
+    **keywords: Unpack[SolverKeywords],
 ) -> viser.ViserServer:
     """Serves an interactive page: clouds, correspondences, consensus graph, before/after slider.
 
@@ -152,7 +156,8 @@ def show(
     _require("viser")
     from .viewer import serve
 
-    server = serve(*scene_of_result(result, source, target, options, keywords, limits), host, port)
+    chosen = solver_options(options, **keywords)
+    server = serve(*scene_of_result(result, source, target, chosen, limits), host, port)
     if block:
         try:
             threading.Event().wait()

@@ -4,36 +4,33 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from .. import CloudResult, Options, Result
-from .._arguments import as_options, as_points
+from .. import CloudLike, CloudResult, Options, Result
+from .._arguments import as_cloud, as_points
 from .outcome import Outcome, outcome_of_json, outcome_of_result
 from .scene import DrawLimits, Floats, Scene, make_scene
 
 
 def scene_of_result(
     result: Result | CloudResult,
-    source: npt.ArrayLike,
-    target: npt.ArrayLike,
-    options: Options | None,
-    keywords: dict[str, Any],
+    source: CloudLike,
+    target: CloudLike,
+    options: Options,
     limits: DrawLimits | None,
 ) -> tuple[Outcome, Scene]:
     """Outcome and scene of a result, the points and the options it was computed with."""
     if not isinstance(result, (Result, CloudResult)):
         raise TypeError(f"result: expected Result or CloudResult, got {type(result).__name__}")
-    chosen = as_options(Options, options, keywords)
-    outcome = outcome_of_result(result, chosen)
-    clouds = as_points(source, "source"), as_points(target, "target")
+    outcome = outcome_of_result(result, options)
+    as_given = as_cloud if isinstance(result, CloudResult) else as_points
+    clouds = as_given(source, "source"), as_given(target, "target")
     matched = clouds
     if isinstance(result, CloudResult):
         _check_sizes(result, clouds)
         matched = np.asarray(result.matches.source), np.asarray(result.matches.target)
-    bounds = np.asarray(chosen.noise_bounds, dtype=float)
+    bounds = np.asarray(options.noise_bounds, dtype=float)
     limit = _limit(outcome, bounds if bounds.size else None)
     return outcome, make_scene(outcome, clouds, matched, limit, limits)
 

@@ -1,0 +1,112 @@
+"""Common mistakes in options, answered with what to write instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from difflib import SequenceMatcher
+from typing import Any
+
+import numpy as np
+
+from ._gmcr import GravityPrior, InitialPose, Options
+
+_NEAR = (
+    "initial_pose=gmcr.InitialPose(target_from_source=pose, max_rotation=0.2, max_translation=1), "
+    "which says how near, in radians and metres"
+)
+_BOUND = "noise_bound=0.05, the largest error of a right match in metres"
+
+#: What other libraries, or the tool, call it -> what to write.
+_ELSEWHERE = {
+    "estimate_scale": "scale_mode='estimated'",
+    "with_scaling": "scale_mode='estimated'",
+    "cbar2": _BOUND,
+    "inlier_threshold": _BOUND,
+    "max_correspondence_distance": _BOUND,
+    "init": _NEAR,
+    "initial_guess": _NEAR,
+    "initial_transform": _NEAR,
+    "init_T_target_source": _NEAR,
+    "downsampling_resolution": "voxel_size=0.1, metres",
+    "voxel": "voxel_size=0.1, metres",
+    "timeout": "time_limit=10, seconds",
+}
+
+
+def refuse_foreign(names: Iterable[str]) -> None:
+    """Refuses names of other libraries.
+
+    Raises
+    ------
+    TypeError
+        with the option of this one.
+    """
+    for name in names:
+        if name in _ELSEWHERE:
+            raise TypeError(f"{name!r} is no option: write {_ELSEWHERE[name]}")
+
+
+def closeness(name: str, known: Iterable[str]) -> float:
+    """How like the most similar of the known names a name is, in [0, 1]."""
+    return max(SequenceMatcher(None, name, other).ratio() for other in known)
+
+
+def refuse_misread(keywords: Mapping[str, Any]) -> None:
+    """Refuses values whose meaning is clear but has to be written otherwise.
+
+    Raises
+    ------
+    TypeError, ValueError
+        with what to write.
+    """
+    if np.ndim(keywords.get("noise_bound", 0)) > 0:
+        raise TypeError("noise_bound: is one number; write noise_bounds=... for one a match")
+    if not isinstance(keywords.get("gravity"), GravityPrior | None):
+        raise TypeError(
+            "gravity: write gravity=gmcr.GravityPrior(source=[0, 0, 1], target=[0, 0, 1], "
+            "max_tilt=0.03), the direction in both frames and the angle that it may be off"
+        )
+    if not isinstance(keywords.get("initial_pose"), InitialPose | None):
+        raise TypeError(f"initial_pose: a pose alone is no bound: write {_NEAR}")
+    scale_range = keywords.get("scale_range")
+    if scale_range is not None:
+        _check_range(scale_range, keywords)
+
+
+def _check_range(scale_range: Any, keywords: Mapping[str, Any]) -> None:
+    if np.shape(scale_range) == (2,) and scale_range[0] > scale_range[1]:
+        raise ValueError(f"scale_range: {tuple(scale_range)} is not (smallest, largest)")
+    if keywords.get("scale_mode", "known") == "known":
+        raise ValueError(
+            "scale_range: is given, but the scale is known; write scale_mode='estimated' too"
+        )
+
+
+def require_bound(options: Options) -> Options:
+    """The options, where they have a noise bound or have it estimated.
+
+    Raises
+    ------
+    ValueError
+        where no bound was given.
+    """
+    is_given = options.noise_mode == "given"
+    if is_given and options.noise_bound == 0 and len(options.noise_bounds) == 0:
+        raise ValueError(
+            f"noise_bound: 0 is no bound; write {_BOUND}, or noise_bound='auto', which takes it "
+            "from the data"
+        )
+    return options
+
+
+def advice_on(kind: type[Any], given: object) -> str:
+    """What to write instead of something that is no options of the kind."""
+    if isinstance(given, dict):
+        return "; write **options"
+    if isinstance(given, (int, float)) and kind is Options:
+        return f"; write noise_bound={given}"
+    if isinstance(given, Options):
+        return "; write options=..."
+    if type(given).__name__ == "FrontendOptions":
+        return "; write frontend=..."
+    return ""

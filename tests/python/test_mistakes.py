@@ -1,0 +1,209 @@
+"""Common mistakes, and what each is answered with."""
+
+from __future__ import annotations
+
+import re
+
+import gmcr
+import numpy as np
+import pytest
+
+POINTS = np.random.default_rng(8).random((20, 3))
+POSE = np.eye(4)
+
+
+def solve(**keywords):
+    return gmcr.register_correspondences(POINTS, POINTS, **keywords)
+
+
+def bounded(*arguments, **keywords):
+    return gmcr.register_correspondences(*arguments, noise_bound=0.1, **keywords)
+
+
+#: What is called, the error, and words of its message.
+MISTAKES = {
+    "no bound": (solve, ValueError, "noise_bound: .*write noise_bound=0.05.* noise_bound='auto'"),
+    "a bound in words": (
+        lambda: solve(noise_bound="5 cm"),
+        TypeError,
+        "'5 cm' is not a number of metres or 'auto'",
+    ),
+    "a bound a match": (lambda: solve(noise_bound=[0.1] * 20), TypeError, "write noise_bounds="),
+    "no bound for an instance": (
+        lambda: gmcr.register_instances(POINTS, POINTS, max_instances=2),
+        ValueError,
+        "noise_bound='auto'",
+    ),
+    "no bound for a graph": (
+        lambda: gmcr.consistency_graph(POINTS, POINTS),
+        ValueError,
+        "noise_bound='auto'",
+    ),
+    "a typo": (lambda: bounded(POINTS, POINTS, num_thread=1), TypeError, "mean 'num_threads'"),
+    "a typo in the front end": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, voxels=1),
+        TypeError,
+        "mean 'voxel_size'",
+    ),
+    "a typo in instances": (
+        lambda: gmcr.register_instances(POINTS, POINTS, noise_bound=1, max_instance=2),
+        TypeError,
+        "mean 'max_instances'",
+    ),
+    "a typo in a problem": (
+        lambda: gmcr.make_synthetic(outliers_rate=0.5),
+        TypeError,
+        "mean 'outlier_rate'",
+    ),
+    "TEASER++'s name": (lambda: solve(cbar2=1), TypeError, "write noise_bound="),
+    "a flag of the tool": (
+        lambda: solve(estimate_scale=True),
+        TypeError,
+        "'estimate_scale'.* write scale_mode='estimated'",
+    ),
+    "Open3D's name": (lambda: solve(init=POSE), TypeError, "write initial_pose=gmcr.InitialPose"),
+    "gravity alone": (
+        lambda: bounded(POINTS, POINTS, gravity=[0, 0, 1]),
+        TypeError,
+        "gravity: write gravity=gmcr.GravityPrior",
+    ),
+    "a pose alone": (
+        lambda: bounded(POINTS, POINTS, initial_pose=POSE),
+        TypeError,
+        "initial_pose: .*write initial_pose=gmcr.InitialPose",
+    ),
+    "a range of a known scale": (
+        lambda: bounded(POINTS, POINTS, scale_range=(0.5, 2)),
+        ValueError,
+        "scale_range: .*write scale_mode='estimated'",
+    ),
+    "a range from above": (
+        lambda: bounded(POINTS, POINTS, scale_range=(2, 0.5)),
+        ValueError,
+        "scale_range: .*(smallest, largest)",
+    ),
+    "an unknown word": (
+        lambda: bounded(POINTS, POINTS, scale_mode="unknown"),
+        ValueError,
+        "'unknown' is not one of 'known', 'estimated'",
+    ),
+    "a bound in place of options": (
+        lambda: gmcr.register_correspondences(POINTS, POINTS, 0.1),
+        TypeError,
+        "write noise_bound=0.1",
+    ),
+    "options in a dict": (
+        lambda: gmcr.register_correspondences(POINTS, POINTS, {"noise_bound": 0.1}),
+        TypeError,
+        r"write \*\*options",
+    ),
+    "options in place of the front end": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, gmcr.Options()),
+        TypeError,
+        "frontend: .* write options=",
+    ),
+    "the front end in place of options": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, None, gmcr.FrontendOptions()),
+        TypeError,
+        "options: .* write frontend=",
+    ),
+    "a point a column": (lambda: bounded(POINTS.T, POINTS.T), ValueError, "write source.T"),
+    "a point a column, of clouds": (
+        lambda: gmcr.register_clouds(POINTS, POINTS.T),
+        ValueError,
+        "write target.T",
+    ),
+    "more columns of matched points": (
+        lambda: bounded(np.ones((20, 4)), POINTS),
+        ValueError,
+        r"write source\[:, :3\]",
+    ),
+    "a table of matches": (
+        lambda: bounded(np.ones((20, 6)), POINTS),
+        ValueError,
+        r"write source=source\[:, :3\], target=source\[:, 3:\]",
+    ),
+    "an organized cloud": (
+        lambda: gmcr.register_clouds(np.ones((4, 5, 3)), POINTS),
+        ValueError,
+        r"write source.reshape\(-1, 3\)",
+    ),
+    "matched points as a path": (
+        lambda: bounded("matches.csv", POINTS),
+        ValueError,
+        "gmcr.io.read_points.'matches.csv'.*gmcr.batch.read_matches",
+    ),
+    "a file that is not there": (
+        lambda: gmcr.register_clouds("nowhere.ply", POINTS),
+        OSError,
+        "nowhere.ply",
+    ),
+    "fields without coordinates": (
+        lambda: bounded(np.zeros(5, [("u", float), ("v", float)]), POINTS),
+        ValueError,
+        "source: expected the fields x, y and z, but there are u, v",
+    ),
+    "points where the pose belongs": (
+        lambda: gmcr.evaluate_consensus(POINTS, POINTS, POSE, noise_bound=0.1),
+        ValueError,
+        "the pose comes before the points",
+    ),
+    "three rows of a pose": (
+        lambda: gmcr.evaluate(POSE[:3], POSE),
+        ValueError,
+        r"estimate: .*np.vstack\(\[pose, \[0, 0, 0, 1\]\]\)",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_answered_with_what_to_write(mistake):
+    call, error, words = MISTAKES[mistake]
+    with pytest.raises(error) as caught:
+        call()
+    assert re.search(words, str(caught.value)), caught.value
+    assert "\n" not in str(caught.value)
+
+
+def test_a_message_of_a_mesh_or_of_a_ros_message_says_how_to_read_it():
+    class Mesh:
+        vertices = POINTS
+
+    class Message:
+        point_step = 16
+
+    with pytest.raises(ValueError, match=r"source: .*of a mesh sample the surface"):
+        gmcr.register_clouds(Mesh(), POINTS)
+    with pytest.raises(ValueError, match=r"target: .*point_cloud2.read_points"):
+        gmcr.register_clouds(POINTS, Message())
+
+
+def test_what_is_written_instead_works():
+    moved = POINTS + np.array([1, 2, 3])
+    near = gmcr.InitialPose(
+        target_from_source=gmcr.Similarity(translation=[1, 2, 3]),
+        max_rotation=0.2,
+        max_translation=1,
+    )
+    up = gmcr.GravityPrior(source=[0, 0, 1], target=[0, 0, 1], max_tilt=0.03)
+    for keywords in (
+        {"noise_bound": 0.05},
+        {"noise_bound": "auto"},
+        {"noise_bound": 0.05, "initial_pose": near},
+        {"noise_bound": 0.05, "gravity": up},
+        {"noise_bound": 0.05, "scale_mode": "estimated", "scale_range": (0.5, 2)},
+    ):
+        result = gmcr.register_correspondences(POINTS, moved, **keywords)
+        assert len(result.inliers) == 20, keywords
+
+
+def test_auto_is_the_estimated_bound(problem):
+    auto, estimated = (
+        gmcr.register_correspondences(problem.source, problem.target, **keywords)
+        for keywords in ({"noise_bound": "auto"}, {"noise_mode": "estimated"})
+    )
+    for options in (gmcr.Options(noise_bound="auto"), gmcr.Options()):
+        options.noise_bound = "auto"
+        assert repr(options) == "Options(noise_mode='estimated')"
+    assert auto.noise_estimate.noise_bound == estimated.noise_estimate.noise_bound
+    assert np.array_equal(auto.matrix(), estimated.matrix())
