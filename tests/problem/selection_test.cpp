@@ -28,8 +28,8 @@ TEST(StratifiedSelection, OfFewIsAllOfThem) {
 TEST(StratifiedSelection, FollowsNoPattern) {
   // of rows of four, of which the last is wrong, as in an organised cloud, a quarter is wrong
   const std::vector<Index> selected = stratified_selection(40'000, 1000);
-  const auto wrong = std::count_if(selected.begin(), selected.end(),
-                                   [](Index i) { return i % 4 == 3; });
+  const auto wrong =
+      std::count_if(selected.begin(), selected.end(), [](Index i) { return i % 4 == 3; });
   EXPECT_NEAR(static_cast<double>(wrong), 250, 60);
 }
 
