@@ -53,9 +53,12 @@ void bind_files(nb::module_& module) {
                      "bin_columns: int | None) -> tuple[numpy.typing.NDArray[numpy.float64], int, "
                      "list[str]]"),
              "Points, how many of the file were dropped, and notes.");
-  module.def("write_cloud", [](const fs::path& path, const PointsArray& points) {
-    write_cloud(path, points_of(points));
-  });
+  module.def(
+      "write_cloud",
+      [](const fs::path& path, const PointsArray& points) { write_cloud(path, points_of(points)); },
+      nb::arg("path"), nb::arg("points"),
+      nb::sig("def write_cloud(path: os.PathLike[str], "
+              "points: numpy.typing.NDArray[numpy.float64]) -> None"));
   module.def("read_matches", &read_matches_file, nb::arg("path"),
              nb::sig("def read_matches(path: os.PathLike[str]) -> "
                      "tuple[numpy.typing.NDArray[numpy.float64], "
