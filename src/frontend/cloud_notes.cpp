@@ -66,7 +66,8 @@ struct Side {
   double voxel_size;
 };
 
-void add_notes_on(std::vector<std::string>& notes, const Side& side, bool is_automatic) {
+void add_notes_on(CloudResult& result, const Side& side, bool is_automatic) {
+  std::vector<std::string>& notes = result.notes;
   const DistinctCloud& distinct = side.distinct;
   if (distinct.kept) {
     const Eigen::Vector3d& p = distinct.point;
@@ -79,6 +80,10 @@ void add_notes_on(std::vector<std::string>& notes, const Side& side, bool is_aut
     notes.push_back(sentence("coordinates of the ", side.name, " come in steps of ", step,
                              ", coarse for voxels of ", side.voxel_size,
                              ": were large ones stored in single precision?"));
+    if (result.verdict == Verdict::Trusted) {
+      result.verdict = Verdict::Doubtful;
+      result.verdict_reason += "; the coordinates come in coarse steps";
+    }
   }
   if (is_automatic && is_viewpoint_unknown(side.points, side.viewpoint)) {
     notes.push_back(sentence("the ", side.name,
@@ -114,18 +119,16 @@ DistinctCloud without_repeats(const PointsRef& points) {
   return cloud;
 }
 
-std::vector<std::string> notes_on(const PointsRef& source, const PointsRef& target,
-                                  const DistinctCloud& from, const DistinctCloud& to,
-                                  const FrontendOptions& frontend, const Options& options,
-                                  const CloudResult& result) {
-  std::vector<std::string> notes;
-  if (source.cols() == 0 || target.cols() == 0) return notes;
+void add_notes(CloudResult& result, const PointsRef& source, const PointsRef& target,
+               const DistinctCloud& from, const DistinctCloud& to, const FrontendOptions& frontend,
+               const Options& options) {
+  if (source.cols() == 0 || target.cols() == 0) return;
   const bool is_automatic = frontend.orientation == NormalOrientation::Automatic;
   const CloudMatches& matches = result.matches;
-  add_notes_on(notes,
+  add_notes_on(result,
                {"source", source, from, frontend.source_viewpoint, matches.source_voxel_size},
                is_automatic);
-  add_notes_on(notes, {"target", target, to, frontend.target_viewpoint, matches.target_voxel_size},
+  add_notes_on(result, {"target", target, to, frontend.target_viewpoint, matches.target_voxel_size},
                is_automatic);
   if (options.scale_mode == ScaleMode::Known) {
     const double source_extent =
@@ -134,13 +137,12 @@ std::vector<std::string> notes_on(const PointsRef& source, const PointsRef& targ
     const double ratio =
         std::max(source_extent, target_extent) / std::min(source_extent, target_extent);
     if (ratio > kLeastUnits && ratio < kMostUnits) {
-      notes.push_back(sentence("the ", source_extent > target_extent ? "source" : "target", " is ",
-                               ratio,
-                               " times as large as the other cloud: metres and millimetres? "
-                               "Give the scale, or have it estimated"));
+      result.notes.push_back(sentence("the ", source_extent > target_extent ? "source" : "target",
+                                      " is ", ratio,
+                                      " times as large as the other cloud: metres and millimetres? "
+                                      "Give the scale, or have it estimated"));
     }
   }
-  return notes;
 }
 
 }  // namespace gmcr::frontend

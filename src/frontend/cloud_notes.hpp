@@ -19,12 +19,11 @@ struct DistinctCloud {
 /// as the zeros of an organised cloud, which would steer the voxel size. Cost O(N).
 DistinctCloud without_repeats(const PointsRef& points);
 
-/// What is odd about two clouds, a sentence each, as `CloudResult::notes`.
+/// Adds what is odd about two clouds to the notes of their result, a sentence each. A pose of
+/// coordinates in coarse steps is doubtful at best.
 /// @param from, to  `without_repeats` of source and target.
-/// @param result  of them.
-std::vector<std::string> notes_on(const PointsRef& source, const PointsRef& target,
-                                  const DistinctCloud& from, const DistinctCloud& to,
-                                  const FrontendOptions& frontend, const Options& options,
-                                  const CloudResult& result);
+void add_notes(CloudResult& result, const PointsRef& source, const PointsRef& target,
+               const DistinctCloud& from, const DistinctCloud& to, const FrontendOptions& frontend,
+               const Options& options);
 
 }  // namespace gmcr::frontend

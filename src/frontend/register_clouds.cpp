@@ -266,10 +266,7 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                                          to.kept ? PointsRef(*to.kept) : target, frontend, options);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
-  for (std::string& note :
-       frontend::notes_on(source, target, from, to, frontend, options, result)) {
-    result.notes.push_back(std::move(note));
-  }
+  frontend::add_notes(result, source, target, from, to, frontend, options);
   return result;
 }
 

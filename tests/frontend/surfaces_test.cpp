@@ -248,16 +248,21 @@ TEST(RegisterClouds, EndsWithTheTimeLimitWhereTheMatchingTakesLong) {
 
 TEST(CloudNotes, NameUnitsAndSteps) {
   const Points source = bumpy_sphere(5000, 1);
-  const auto notes = [&](const Points& a, const Points& b) {
+  const auto noted = [&](const Points& a, const Points& b) {
     CloudResult result;
+    result.verdict = Verdict::Trusted;
     result.matches.source_voxel_size = result.matches.target_voxel_size = 0.03;
-    return notes_on(a, b, {}, {}, {}, {}, result);
+    add_notes(result, a, b, {}, {}, {}, {});
+    return result;
   };
-  EXPECT_TRUE(notes(source, source).empty());
-  const auto units = notes(1000 * source, source);
+  EXPECT_TRUE(noted(source, source).notes.empty());
+  EXPECT_EQ(noted(source, source).verdict, Verdict::Trusted);
+  const auto units = noted(1000 * source, source).notes;
   ASSERT_EQ(units.size(), 1u);
   EXPECT_NE(units[0].find("millimetres"), std::string::npos);
-  const auto steps = notes(source, (source / 0.05).array().round().matrix() * 0.05);
+  const CloudResult coarse = noted(source, (source / 0.05).array().round().matrix() * 0.05);
+  EXPECT_EQ(coarse.verdict, Verdict::Doubtful);
+  const auto& steps = coarse.notes;
   ASSERT_EQ(steps.size(), 1u);
   EXPECT_NE(steps[0].find("target come in steps of 0.05"), std::string::npos) << steps[0];
 }
