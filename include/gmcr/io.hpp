@@ -41,8 +41,9 @@ struct CloudOptions {
 
 /// A cloud as it was read.
 struct Cloud {
-  Points points;                     ///< 3 x N, N >= 1, finite, in the order of the file, its units
-  Index num_dropped = 0;             ///< points of the file that are not finite or mark no return
+  Points points;          ///< 3 x N, N >= 1, finite, in the order of the file, its units
+  Index num_dropped = 0;  ///< points of the file that are not finite or mark no return
+  // NOLINTNEXTLINE(readability-redundant-member-init): so that callers may leave it out
   std::vector<std::string> notes{};  ///< what was dropped or had to be decided, as sentences
 };
 
@@ -51,6 +52,7 @@ struct Matches {
   Points source;
   Points target;
   std::vector<double> noise_bounds;  ///< metres, one a correspondence, or empty: not in the file
+  // NOLINTNEXTLINE(readability-redundant-member-init): so that callers may leave it out
   std::vector<std::string> notes{};  ///< what had to be decided, as sentences
 };
 

@@ -43,6 +43,7 @@ nb::tuple read_matches_file(const fs::path& path) {
 }  // namespace
 
 void bind_files(nb::module_& module) {
+  // NOLINTNEXTLINE(bugprone-throw-keyword-missing,bugprone-unused-raii): it registers the class
   nb::exception<IoError>(module, "CloudFileError", PyExc_OSError);
   module.def("cloud_extensions", &cloud_extensions, "Extensions of the files that are read.");
   module.def("written_cloud_extensions", &written_cloud_extensions,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "gmcr/io.hpp"
 #include "io/bytes.hpp"
@@ -103,7 +104,7 @@ template <typename Cursor>
 class DataReader {
  public:
   DataReader(const std::filesystem::path& path, const PlyHeader& header, Cursor cursor)
-      : path_(path), header_(header), cursor_(cursor) {}
+      : path_(path), header_(header), cursor_(std::move(cursor)) {}
 
   PlyFile read() {
     for (const PlyElement& element : header_.elements) {
@@ -192,7 +193,8 @@ class DataReader {
       fail(element, row);
     }
     list_.clear();
-    for (double i = 0; i < *length; ++i) {
+    const auto count = static_cast<Index>(*length);
+    for (Index i = 0; i < count; ++i) {
       const auto value = cursor_.next(property.field.type);
       if (!value) fail(element, row);
       const bool is_index = *value >= 0 && *value < 9e15 && *value == std::floor(*value);
@@ -279,7 +281,7 @@ std::string format_ply(const Records& vertices, const std::vector<Triangle>& tri
     for (std::size_t i = 0; i < field.count; ++i) {
       bytes.append("property ").append(name_of(field.type)).append(" ").append(field.name);
       if (field.count > 1) bytes += "_" + std::to_string(i);
-      bytes += "\n";
+      bytes += '\n';
     }
   }
   if (!triangles.empty()) {

@@ -71,7 +71,7 @@ std::optional<double> parse_cell(std::string_view text, char decimal) {
   if (decimal == '.') {
     if (const auto value = parse_double(text)) return value;
   }
-  const std::size_t mark = text.find("#");
+  const std::size_t mark = text.find('#');
   if (mark != std::string_view::npos) {  // 1.#INF, 1.#QNAN, -1.#IND00
     if (text.substr(0, mark) != "1." && text.substr(0, mark) != "-1.") return std::nullopt;
     const bool is_infinite = text.substr(mark).starts_with("#INF");

@@ -103,7 +103,7 @@ CloudFile parse_text_cloud(const std::filesystem::path& path, std::string_view t
   };
   Table table = parse_table(path, text, choose, {.allows_counts = true, .allows_missing = true});
   CloudFile file;
-  file.points = std::move(table.values);
+  file.points = table.values;
   file.notes = std::move(table.notes);
   return file;
 }

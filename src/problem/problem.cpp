@@ -81,7 +81,7 @@ bool Problem::is_hurried() const {
   return is_sampled_ && kSecondsEach * static_cast<double>(size_) > options_.time_limit;
 }
 
-std::vector<Index> Problem::clear_of_rounding(std::vector<Index> indices) const {
+std::vector<Index> Problem::clear_of_rounding(const std::vector<Index>& indices) const {
   constexpr double kMostRounding = 4;  // bounds
   std::vector<Index> clear = indices;
   std::erase_if(clear, [&](Index i) {

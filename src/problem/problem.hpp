@@ -74,7 +74,7 @@ class Problem {
 
   /// Those of the given correspondences whose residuals are not all rounding: what is far enough
   /// out agrees with most others and says nothing of a pose. All of them where hardly any is left.
-  std::vector<Index> clear_of_rounding(std::vector<Index> indices) const;
+  std::vector<Index> clear_of_rounding(const std::vector<Index>& indices) const;
 
   const Correspondences& correspondences() const { return correspondences_; }
   const ScaleRange& scales() const { return constraints_.scales; }
