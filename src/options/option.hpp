@@ -26,9 +26,7 @@ inline constexpr Range kAny{};
 inline constexpr Range kPositive{[](double v) { return v > 0 && std::isfinite(v); },
                                  "positive and finite"};
 /// What a solve computes with; see `kLeastMagnitude`.
-constexpr bool is_magnitude(double v) {
-  return v >= kLeastMagnitude && v <= kLargestMagnitude;
-}
+constexpr bool is_magnitude(double v) { return v >= kLeastMagnitude && v <= kLargestMagnitude; }
 inline constexpr Range kMagnitude{is_magnitude, "in [1e-50, 1e50]"};
 inline constexpr Range kPlace{[](double v) { return v == 0 || is_magnitude(v); },
                               "0 or in [1e-50, 1e50]"};

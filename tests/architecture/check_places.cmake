@@ -59,7 +59,7 @@ only_from(proof search problem clique estimation geometry parallel)
 only_from(noise search paper problem estimation parallel)
 only_from(registration noise proof search refine paper problem options estimation geometry parallel)
 only_from(synthetic geometry)
-only_from(frontend geometry parallel)
+only_from(frontend kernels geometry parallel)
 only_from(report options)
 only_from(io -)
 
