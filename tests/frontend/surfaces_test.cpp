@@ -232,7 +232,7 @@ TEST(RegisterClouds, TakesTheRefinedPriorForAHypothesis) {
 
 TEST(RegisterClouds, EndsWithTheTimeLimitWhereTheMatchingTakesLong) {
   Options options;
-  options.time_limit = 0.3;
+  options.time_limit = 0.05;
   options.num_threads = 2;
   FrontendOptions frontend;
   frontend.voxel_size = 0.005;

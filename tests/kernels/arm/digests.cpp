@@ -1,4 +1,5 @@
 // Prints a digest of what each kernel makes of fixed pseudo-random input: the same on each machine.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "kernels/branch_choice.hpp"
 #include "kernels/consistency_row.hpp"
 #include "kernels/consistency_tiles.hpp"
+#include "kernels/nearest_features.hpp"
 #include "kernels/residuals.hpp"
 #include "kernels/rotation_row.hpp"
 #include "kernels/scale_row.hpp"
@@ -193,6 +195,28 @@ void digest_bits(Random& random) {
   blocks.print("bit_block");
 }
 
+void digest_features(Random& random) {
+  constexpr Index kBins = 33, kCount = 150;
+  std::vector<float> values(static_cast<std::size_t>(kBins * kCount));
+  for (float& value : values) value = static_cast<float>(random.uniform(0, 60));
+  const kernels::IntegerFeatures features(values.data(), kBins, kCount, 64);
+  kernels::NearestSources nearest_sources(features);
+  Digest digest;
+  for (Index first = 0; first < kCount; first += kernels::kFeatureQueries) {
+    kernels::NearestFeature nearest[kernels::kFeatureQueries];
+    const Index count = std::min(kernels::kFeatureQueries, kCount - first);
+    kernels::nearest_features(features, first, count, features, nearest, nearest_sources);
+    for (Index q = 0; q < count; ++q) {
+      digest.add(static_cast<std::uint64_t>(nearest[q].second));
+      digest.add(static_cast<std::uint64_t>(nearest[q].index));
+    }
+  }
+  for (const std::int32_t source : nearest_sources.indices) {
+    digest.add(static_cast<std::uint64_t>(source));
+  }
+  digest.print("nearest_features");
+}
+
 }  // namespace
 
 int main() {
@@ -209,4 +233,5 @@ int main() {
   digest_rotation(random, 200);
   digest_bits(random);
   digest_branches(random);
+  digest_features(random);
 }
