@@ -108,10 +108,10 @@ def test_a_poisoned_pair_is_an_error_row_and_the_others_are_untouched(tmp_path):
     summary = run(pairs, tmp_path / "out", register=by_id, retries=1, chunk_pairs=7, num_workers=2)
     assert summary.statuses == {"ok": 2, "error": 5}
     rows = rows_by_id(tmp_path / "out")
-    assert rows["nan"].reason.startswith("ValueError: source: ")
+    assert rows["nan"].reason.startswith("CloudFileError: ")
     assert rows["missing"].reason.startswith("FileNotFoundError: ")
     assert "nowhere.npy" in rows["missing"].reason
-    assert rows["text"].reason.startswith("ValueError: ")
+    assert rows["text"].reason.startswith("CloudFileError: ")
     assert "noise_bound" in rows["bound"].reason
     assert rows["exit-1"].reason == "the worker died (exit code 7)"
     assert rows["exit-1"].target_from_source is None

@@ -62,7 +62,6 @@ def test_a_library_that_lacks_a_module_of_its_own_says_so_itself(
         (".bag", "rosbags"),
         (".mcap", "rosbags"),
         (".db3", "rosbags"),
-        (".off", "open3d"),
     ],
 )
 def test_bytes_that_are_no_such_file_are_errors_that_name_it(

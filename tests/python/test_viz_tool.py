@@ -118,4 +118,7 @@ def test_a_report_that_cannot_be_written_is_an_error_of_files(tool: Path, matche
     done = run(tool, "solve", matches, "--noise-bound", 0.02, "--report", "/nonexistent/a.html")
     assert done.returncode == 3
     assert done.stdout == ""
-    assert done.stderr == "gmcr: /nonexistent/a.html: No such file or directory\n"
+    assert done.stderr == (
+        "gmcr: /nonexistent/a.html: cannot be written: "
+        "folder /nonexistent: No such file or directory\n"
+    )

@@ -33,5 +33,7 @@ def read_matches(path: str | Path) -> tuple[Floats, Floats, Floats | None]:
     OSError
         where the file cannot be read or is malformed.
     """
-    source, target, noise_bounds, _ = _gmcr.read_matches(Path(path))
+    path = Path(path)
+    path.open("rb").close()  # a missing file is the usual error
+    source, target, noise_bounds, _ = _gmcr.read_matches(path)
     return source, target, noise_bounds
