@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "problem/selection.hpp"
+
 namespace gmcr::noise {
 namespace {
 
@@ -15,20 +17,17 @@ constexpr Index kMostSample = 20'000;
 constexpr Index kSampleShare = 2;  // of each correspondence
 constexpr std::size_t kPerLength = 4;
 
-/// Numbers that look random and are the same every time (splitmix64).
+/// Numbers without a pattern, the same every time.
 class Shuffle {
  public:
   /// In [0, count).
   Index next(Index count) {
-    std::uint64_t x = state_ += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    x ^= x >> 31;
-    return static_cast<Index>(((x >> 32) * static_cast<std::uint64_t>(count)) >> 32);
+    const std::uint64_t high = problem::mixed(num_drawn_++) >> 32;
+    return static_cast<Index>((high * static_cast<std::uint64_t>(count)) >> 32);
   }
 
  private:
-  std::uint64_t state_ = 0;
+  std::uint64_t num_drawn_ = 0;
 };
 
 double log10_choose(double n, double k) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/units.hpp"
 #include "noise/chance.hpp"
+#include "problem/selection.hpp"
 #include "registration/handedness.hpp"
 
 namespace gmcr::registration {
@@ -24,7 +26,7 @@ constexpr Index kMostJudgedInHurry = 2000;
 // A reflection that holds more than the pose by this much is what the data are of.
 constexpr double kReflected = 1.0 / 0.7;
 
-/// The consensus set among all correspondences, or among an even selection where they are many.
+/// The consensus set among all correspondences, or among a selection where they are many.
 struct Selection {
   Points source, target;  ///< of the selection; empty where all were selected
   Eigen::ArrayXd bounds;
@@ -32,15 +34,13 @@ struct Selection {
 
   Selection(const problem::CallerCorrespondences& all, const std::vector<Index>& all_inliers,
             Index most) {
-    const Index n = all.size(), count = std::min(n, most);
-    std::vector<Index> selected;
-    for (Index k = 0; k < count; ++k) {
-      const Index i = k * n / count;
-      const bool is_inlier = std::binary_search(all_inliers.begin(), all_inliers.end(), i);
-      (is_inlier ? inliers : others).push_back(k);
-      if (count < n) selected.push_back(i);
+    const std::vector<Index> selected = problem::stratified_selection(all.size(), most);
+    for (std::size_t k = 0; k < selected.size(); ++k) {
+      const bool is_inlier =
+          std::binary_search(all_inliers.begin(), all_inliers.end(), selected[k]);
+      (is_inlier ? inliers : others).push_back(static_cast<Index>(k));
     }
-    if (count == n) return;
+    if (static_cast<Index>(selected.size()) == all.size()) return;
     source = all.source(Eigen::all, selected);
     target = all.target(Eigen::all, selected);
     bounds = all.bounds(selected);
@@ -122,9 +122,7 @@ double typical_distance(const PointsRef& points) {
     const Index i = k * n / count;
     distances.push_back((points.col((i + n / 2) % n) - points.col(i)).norm());
   }
-  const auto median = distances.begin() + count / 2;
-  std::nth_element(distances.begin(), median, distances.end());
-  return *median;
+  return problem::median(std::move(distances));
 }
 
 /// Names what may be wrong with the data, where the sizes of the clouds say so.

@@ -11,7 +11,7 @@ namespace gmcr::registration {
 /// The number of inliers and of all correspondences is multiplied by the share of the others that
 /// is distinct evidence: where wrong matches come as copies of each other, as those of raw clouds
 /// do, chance gives many inliers as easily as few.
-/// More than 20,000 correspondences are judged by an even selection. Cost O(N) for the reflection,
+/// More than 20,000 correspondences are judged by a selection. Cost O(N) for the reflection,
 /// where the inliers are flat, else that of the selection.
 void judge(Result& result, const problem::Problem& problem, problem::Run& run);
 
