@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 
+#include "stderr_text.hpp"
 #include "stopwatch.hpp"
 
 namespace gmcr::cli {
@@ -47,15 +47,14 @@ void ProgressLine::run() {
     print(stopwatch.seconds());
     is_shown = true;
   }
-  if (is_shown && is_terminal_) fmt::print(stderr, "\r\033[K");
+  if (is_shown && is_terminal_) print_to_stderr("\r\033[K");
 }
 
 void ProgressLine::print(double seconds) const {
   const std::string share =
       progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
-  fmt::print(stderr, "{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ", progress_.stage,
-             share, seconds, is_terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  print_to_stderr(fmt::format("{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ",
+                              progress_.stage, share, seconds, is_terminal_ ? "" : "\n"));
 }
 
 }  // namespace gmcr::cli
