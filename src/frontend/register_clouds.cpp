@@ -63,6 +63,7 @@ std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& tar
   CloudResult result;
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
+  frontend::begin_stage(options, "matching");
   result.matches = frontend::match_with(source, target, frontend, options, setting);
   const Index num_matches = result.matches.source.cols();
   if (!first && BitsetGraph::bytes_required(num_matches) > options.memory_limit) {
@@ -92,6 +93,7 @@ Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypothe
                 const Options& options, const parallel::Deadline& deadline) {
   if (result.registration.status != Status::Ok) return judged(std::move(result), options);
   frontend::StageClock clock(result.registration.diagnostics.stages);
+  frontend::begin_stage(options, "comparison");
   auto voxels = frontend::voxel_pair(result.matches);
   if (!hypotheses) {
     hypotheses.emplace(voxels, result.matches.target_voxel_size, options, deadline);
@@ -262,8 +264,16 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   }
   const frontend::DistinctCloud from = frontend::without_repeats(source);
   const frontend::DistinctCloud to = frontend::without_repeats(target);
+  bool is_stopped = false;  // a caller who wants to stop says so to one stage, and means all
+  Options lasting = options;
+  if (options.progress) {
+    lasting.progress = [&](const Progress& progress) {
+      is_stopped = is_stopped || !options.progress(progress);
+      return !is_stopped;
+    };
+  }
   CloudResult result = register_distinct(from.kept ? PointsRef(*from.kept) : source,
-                                         to.kept ? PointsRef(*to.kept) : target, frontend, options);
+                                         to.kept ? PointsRef(*to.kept) : target, frontend, lasting);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
   frontend::add_notes(result, source, target, from, to, frontend, options);
