@@ -8,6 +8,7 @@ needs.
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -20,6 +21,7 @@ from cpp_reference import reference as cpp_reference
 
 ROOT = Path(__file__).resolve().parents[1]
 COMMANDS = ("register", "solve", "match", "clique", "synth", "eval", "info", "manual", "completion")
+SUMMARY = ROOT / "BENCHMARK.md"  # beside docs/, but a page of the site
 _ARRAY = re.compile(r"(?<!\])\[(\d+|6 or 7|)\]\[([^\]]*)\]")  # "[3][3]", no link
 _LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 
@@ -37,12 +39,15 @@ def gather(docs: Path, pages: Path) -> None:
             path = (folder / target).resolve()
             if path.is_relative_to(docs) and path.is_file():
                 return link[0]
+            if path == SUMMARY:
+                return f"[{link[1]}]({os.path.relpath(pages / SUMMARY.name, page.parent)})"
             if not path.exists():
                 raise FileNotFoundError(f"{page.name}: {link[2]} leads nowhere")
             return f"`{path.relative_to(ROOT)}`" if link[1].startswith("`") else link[1]
 
         text = _ARRAY.sub(r"\\[\1\\]\\[\2\\]", page.read_text())
         page.write_text(_LINK.sub(inside, text))
+    (pages / SUMMARY.name).write_text(SUMMARY.read_text().replace("](docs/", "]("))
 
 
 def command_line(tool: Path) -> str:
