@@ -13,6 +13,7 @@ import doctest
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ import gmcr
 import gmcr.io
 import numpy as np
 
+ROOT = Path(__file__).parents[2]
 _BLOCK = re.compile(
     r"^```(?P<language>\w*)\n(?P<code>.*?)^```$|^<!-- run\n(?P<hidden>.*?)^-->$",
     re.DOTALL | re.MULTILINE,
@@ -124,6 +126,7 @@ def prepare(folder: Path) -> None:
     scan = hills(rng.uniform(-1, 1, (4000, 2)))
     gmcr.io.write_points(folder / "scan_2.ply", scan)
     gmcr.io.write_points(folder / "scan_1.ply", moved(hills(rng.uniform(-1, 1.2, (4000, 2)))))
+    gmcr.io.write_points(folder / "scan_3.ply", moved(hills(rng.uniform(-1.1, 1, (4000, 2)))))
     gmcr.io.write_points(folder / "scan.ply", scan)
     angle = 0.5  # the map is level, and not far off
     turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0]])
@@ -135,6 +138,9 @@ def prepare(folder: Path) -> None:
         folder / "matches.csv", np.hstack([problem.source, problem.target]), delimiter=",",
         header="ax,ay,az,bx,by,bz", comments="",
     )  # fmt: skip
+    (folder / "pairs.csv").write_text("id,matches\none,matches.csv\ntwo,matches.csv\n")
+    (folder / "docs").mkdir(exist_ok=True)
+    shutil.copy(ROOT / "docs/result.schema.json", folder / "docs")
     part, triangles = _bumpy_ball()
     _write_stl(folder / "part.stl", 100 * part, triangles)
     dense = _points_on(part, triangles, rng, 20000)

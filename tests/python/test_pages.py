@@ -16,7 +16,16 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = [
     DOCS / f"{name}.md"
-    for name in ("quickstart", "pictures", "noise_bound", "troubleshooting", "which_tool")
+    for name in (
+        "quickstart",
+        "pictures",
+        "noise_bound",
+        "troubleshooting",
+        "which_tool",
+        "json",
+        "multiview",
+        "scale",
+    )
 ] + sorted((DOCS / "cookbook").glob("*.md"))
 
 
