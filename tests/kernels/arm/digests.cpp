@@ -15,6 +15,7 @@
 #include "kernels/branch_choice.hpp"
 #include "kernels/consistency_row.hpp"
 #include "kernels/consistency_tiles.hpp"
+#include "kernels/descriptor_distances.hpp"
 #include "kernels/near_points.hpp"
 #include "kernels/nearest_features.hpp"
 #include "kernels/pair_angles.hpp"
@@ -263,6 +264,29 @@ void digest_points(Random& random) {
   sums.print("add_histograms");
 }
 
+void digest_descriptors(Random& random) {
+  constexpr Index kValues = 33, kCount = 70;
+  using kernels::GroupedDescriptors;
+  const auto value = [&] { return static_cast<float>(random.uniform(-1, 1)); };
+  const GroupedDescriptors<float> floats(kValues, kCount, [&](Index, Index) { return value(); });
+  const GroupedDescriptors<std::uint64_t> words(kValues, kCount,
+                                                [&](Index, Index) { return random.word(); });
+  std::vector<float> query(kValues);
+  std::vector<std::uint64_t> query_words(kValues);
+  std::vector<float> distances(
+      static_cast<std::size_t>(GroupedDescriptors<float>::kGroup * floats.num_groups()));
+  Digest digest;
+  for (int k = 0; k < 20; ++k) {
+    for (float& v : query) v = value();
+    for (std::uint64_t& v : query_words) v = random.word();
+    kernels::squared_distances(floats, query.data(), distances.data());
+    for (const float distance : distances) digest.add(static_cast<double>(distance));
+    kernels::hamming_distances(words, query_words.data(), distances.data());
+    for (const float distance : distances) digest.add(static_cast<double>(distance));
+  }
+  digest.print("descriptor_distances");
+}
+
 }  // namespace
 
 int main() {
@@ -281,4 +305,5 @@ int main() {
   digest_branches(random);
   digest_features(random);
   digest_points(random);
+  digest_descriptors(random);
 }
