@@ -49,8 +49,8 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
   } else if (!deadline.expired()) {
     const CloudMatches& matches = result.matches;
     const double cell = kCell * matches.target_voxel_size;
-    CentredPair pair(voxel_grid(source, kCell * matches.source_voxel_size),
-                     voxel_grid(target, cell));
+    const double source_cell = kCell * matches.source_voxel_size;
+    CentredPair pair(voxel_grid(source, source_cell), voxel_grid(target, cell), source_cell, cell);
     const RefinedPose refined =
         refine_pose(pair, result.registration.target_from_source,
                     {cell, kSettleReach, kSettleSamples, kSettleStep}, options, deadline);
