@@ -20,7 +20,6 @@ import gmcr
 from cpp_reference import reference as cpp_reference
 
 ROOT = Path(__file__).resolve().parents[1]
-COMMANDS = ("register", "solve", "match", "clique", "synth", "eval", "info", "manual", "completion")
 SUMMARY = ROOT / "BENCHMARK.md"  # beside docs/, but a page of the site
 _ARRAY = re.compile(r"(?<!\])\[(\d+|6 or 7|)\]\[([^\]]*)\]")  # "[3][3]", no link
 _LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
@@ -52,14 +51,18 @@ def gather(docs: Path, pages: Path) -> None:
 
 def command_line(tool: Path) -> str:
     """The page of the tool: its help, command by command."""
+    overview = _help(tool)
+    commands = re.findall(r"^  (\w+) ", overview.partition("Subcommands:")[2], re.MULTILINE)
     parts = ["# Command line", "What `gmcr COMMAND --help` prints, and `man gmcr`."]
-    for command in ("", *COMMANDS):
-        done = subprocess.run(
-            [tool, *command.split(), "--help"], capture_output=True, text=True, check=True
-        )
-        name = f"gmcr {command}".strip()
-        parts += [f"## {name}", f"```text\n{done.stdout.strip()}\n```"]
+    for command in ([], *([name] for name in commands if name != "gmcr")):
+        name = " ".join(["gmcr", *command])
+        parts += [f"## {name}", f"```text\n{_help(tool, *command)}\n```"]
     return "\n\n".join(parts) + "\n"
+
+
+def _help(tool: Path, *command: str) -> str:
+    done = subprocess.run([tool, *command, "--help"], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
 
 
 def options() -> str:
