@@ -14,6 +14,15 @@ constexpr double kSimilar = 0.9;
 constexpr const char* kEndedEarly =
     "a clique search ended before its proof: the upper bound may be loose";
 
+/// Graphs that a search may take: all that there may be where a proof is asked for; else some, and
+/// as many more as small ones cost little.
+Index max_graphs(const PoseSearch& search, Index num_bins) {
+  constexpr Index kLeast = 30, kMoreWords = Index{1} << 18;
+  const Index all = 2 * num_bins, n = search.problem().size();
+  if (search.problem().options().certify) return all;
+  return std::min(all, kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1)));
+}
+
 /// Whether all pairs of the correspondences agree at one scale of the range.
 bool agree_at_one_scale(const geometry::CorrespondenceArrays& arrays,
                         const std::vector<Index>& indices, ScaleRange scales) {
@@ -52,11 +61,11 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
   const auto is_at_floor = [&](const Range& r) {
     return r.floors.of(measure) >= r.bounds.of(measure);
   };
-  const Index max_graphs = 2 * voted_.bins().size();
+  const Index most = max_graphs(search_, voted_.bins().size());
   std::make_heap(ranges_.begin(), ranges_.end(), is_less);
   for (Index num_graphs = 0;
        exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));) {
-    if (num_graphs == max_graphs) {
+    if (num_graphs == most) {
       search_.note_early_end(
           measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
       break;
@@ -79,7 +88,7 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
     } else {
       search_range(range, measure, tighten);
       search_.run().report("scale_search",
-                           static_cast<double>(++num_graphs) / static_cast<double>(max_graphs));
+                           static_cast<double>(++num_graphs) / static_cast<double>(most));
     }
     std::push_heap(ranges_.begin(), ranges_.end(), is_less);
   }
