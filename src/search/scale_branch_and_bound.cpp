@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gmcr::search {
@@ -14,13 +15,15 @@ constexpr double kSimilar = 0.9;
 constexpr const char* kEndedEarly =
     "a clique search ended before its proof: the upper bound may be loose";
 
-/// Graphs that a search may take: all that there may be where a proof is asked for; else some, and
-/// as many more as small ones cost little.
-Index max_graphs(const PoseSearch& search, Index num_bins) {
+/// Ranges whose bound may exceed what is known after their search, before the search over the scale
+/// ends: any number where a proof is asked for; else some, and as many more as small graphs cost
+/// little.
+Index max_open(const PoseSearch& search) {
   constexpr Index kLeast = 30, kMoreWords = Index{1} << 18;
-  const Index all = 2 * num_bins, n = search.problem().size();
-  if (search.problem().options().certify) return all;
-  return std::min(all, kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1)));
+  const Index n = search.problem().size();
+  return search.problem().options().certify
+             ? std::numeric_limits<Index>::max()
+             : kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1));
 }
 
 /// Whether all pairs of the correspondences agree at one scale of the range.
@@ -61,11 +64,12 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
   const auto is_at_floor = [&](const Range& r) {
     return r.floors.of(measure) >= r.bounds.of(measure);
   };
-  const Index most = max_graphs(search_, voted_.bins().size());
+  const Index max_graphs = 2 * voted_.bins().size();
+  Index num_open = 0;
   std::make_heap(ranges_.begin(), ranges_.end(), is_less);
   for (Index num_graphs = 0;
        exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));) {
-    if (num_graphs == most) {
+    if (num_graphs == max_graphs || num_open == max_open(search_)) {
       search_.note_early_end(
           measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
       break;
@@ -87,8 +91,9 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
       ranges_.push_back(upper);
     } else {
       search_range(range, measure, tighten);
+      num_open += exceeds(range.bounds.of(measure), search_.to_beat(measure));
       search_.run().report("scale_search",
-                           static_cast<double>(++num_graphs) / static_cast<double>(most));
+                           static_cast<double>(++num_graphs) / static_cast<double>(max_graphs));
     }
     std::push_heap(ranges_.begin(), ranges_.end(), is_less);
   }
