@@ -62,7 +62,8 @@ Options options_with_bound(const Options& options, const CloudMatches& matches) 
 
 std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches) {
   if (matches.source_voxels.cols() == 0 || matches.target_voxels.cols() == 0) return nullptr;
-  return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels);
+  return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels,
+                                       matches.source_voxel_size, matches.target_voxel_size);
 }
 
 void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options) {
