@@ -89,6 +89,7 @@ int run(int argc, char** argv) {
   add_info_command(app, work);
   add_manual_command(app, work);
   add_completion_command(app, work);
+  for (CLI::App* command : app.get_subcommands(nullptr)) command->group("Commands");
   try {
     app.parse(argc, argv);
     // not left to CLI11, which would not name a command that it does not know

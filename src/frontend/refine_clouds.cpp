@@ -26,7 +26,7 @@ std::string note_on(const CloudResult& result, const Similarity& matched) {
   std::ostringstream note;
   note << std::setprecision(3) << "ICP turned the pose by "
        << rotation_error_deg(result.registration.target_from_source.rotation, matched.rotation)
-       << " deg; the surfaces meet to " << result.refinement.noise;
+       << " deg; the surfaces meet to " << result.refinement.noise << " m";
   return note.str();
 }
 
