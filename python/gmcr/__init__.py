@@ -8,6 +8,7 @@
 from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
 from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
+from ._descriptors import match_descriptors
 from ._enums import (
     Evidence,
     Method,
@@ -29,6 +30,7 @@ from ._gmcr import (
     CloudResult,
     Consensus,
     Covariance,
+    DescriptorMatches,
     Diagnostics,
     EvidenceCertificate,
     FrontendOptions,
@@ -75,6 +77,7 @@ __all__ = [
     "CloudResult",
     "Consensus",
     "Covariance",
+    "DescriptorMatches",
     "Diagnostics",
     "Evidence",
     "EvidenceCertificate",
@@ -118,6 +121,7 @@ __all__ = [
     "instruction_sets",
     "make_synthetic",
     "match",
+    "match_descriptors",
     "max_clique",
     "max_weight_clique",
     "refine_clouds",
