@@ -42,9 +42,7 @@ Options SolverArguments::resolved() const {
   return resolved;
 }
 
-void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
-  command.add_option("SOURCE", source, "Cloud to move")->required();
-  command.add_option("TARGET", target, "Cloud to move it onto")->required();
+void add_reading(CLI::App& command, CloudOptions& reading) {
   constexpr const char* kGroup = "Files";
   command
       .add_option("--mesh-points", reading.mesh_points,
@@ -60,6 +58,12 @@ void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
       ->check(at_least(0))
       ->type_name("N")
       ->group(kGroup);
+}
+
+void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
+  command.add_option("SOURCE", source, "Cloud to move")->required();
+  command.add_option("TARGET", target, "Cloud to move it onto")->required();
+  add_reading(command, reading);
   add_flags(command, frontend, selection);
 }
 

@@ -28,19 +28,20 @@ struct Arguments {
 
 ExitCode run(const Arguments& arguments) {
   check_matches_output(arguments.matches);
-  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
-  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
+  const ReadPair pair(arguments.clouds.source, arguments.clouds.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
   const CloudMatches matches =
-      match_clouds(source, target, arguments.clouds.frontend, arguments.options);
+      pair.apply(arguments.clouds.frontend, [&](const auto& source, const auto& target) {
+        return match_clouds(source, target, arguments.clouds.frontend, arguments.options);
+      });
   const double seconds = stopwatch.seconds();
   write_matches(arguments.matches, matches.source, matches.target);
   if (arguments.json) {
     Json json;
     json["status"] = "ok";
     json["num_correspondences"] = matches.source.cols();
-    json["num_source_points"] = source.cols();
-    json["num_target_points"] = target.cols();
+    json["num_source_points"] = pair.source().cols();
+    json["num_target_points"] = pair.target().cols();
     json["num_source_voxels"] = matches.source_voxels.cols();
     json["num_target_voxels"] = matches.target_voxels.cols();
     json["voxel_size"] = matches.target_voxel_size;

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kExamples =
     R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
 surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
-for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come from the clouds unless given.
+for no return, are dropped. Files of `prepare` bring their features. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come from the clouds unless given.
 
 Examples:
   gmcr register scan2.ply scan1.ply
@@ -98,8 +98,7 @@ ExitCode run(const Arguments& arguments) {
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
   check_outputs(arguments);
-  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
-  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
+  const ReadPair pair(arguments.clouds.source, arguments.clouds.target, arguments.clouds.reading);
   CloudResult result;
   ReportContext context;
   context.options = &options;
@@ -107,11 +106,14 @@ ExitCode run(const Arguments& arguments) {
     ProgressLine progress;
     options.progress = progress.callback();
     const Stopwatch stopwatch;
-    result = register_clouds(source, target, arguments.clouds.frontend, options);
+    result = pair.apply(arguments.clouds.frontend, [&](const auto& source, const auto& target) {
+      return register_clouds(source, target, arguments.clouds.frontend, options);
+    });
     context.total_seconds = stopwatch.seconds();
   }
   const std::string json = to_json(result, context, kJsonIndent);
-  const std::vector<std::string> written = write_files(arguments, result, source, target, json);
+  const std::vector<std::string> written =
+      write_files(arguments, result, pair.source(), pair.target(), json);
   if (arguments.json) {
     print_json(json);
   } else {

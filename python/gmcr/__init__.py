@@ -39,6 +39,7 @@ from ._gmcr import (
     InstanceOptions,
     NoiseEstimate,
     Options,
+    PreparedCloud,
     Refinement,
     Result,
     RivalPose,
@@ -56,6 +57,7 @@ from ._gmcr import (
     version,
 )
 from ._metrics import PoseErrors, evaluate
+from ._prepared import prepare
 from ._registration import (
     consistency_graph,
     evaluate_consensus,
@@ -94,6 +96,7 @@ __all__ = [
     "PointsLike",
     "PoseErrors",
     "PoseLike",
+    "PreparedCloud",
     "Refine",
     "Refinement",
     "Result",
@@ -124,6 +127,7 @@ __all__ = [
     "match_descriptors",
     "max_clique",
     "max_weight_clique",
+    "prepare",
     "refine_clouds",
     "register_clouds",
     "register_correspondences",
