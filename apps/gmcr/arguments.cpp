@@ -1,5 +1,7 @@
 #include "arguments.hpp"
 
+#include <stdexcept>
+
 #include "choice.hpp"
 #include "validators.hpp"
 
@@ -42,6 +44,12 @@ Options SolverArguments::resolved() const {
   return resolved;
 }
 
+CloudFiles::CloudFiles(const CloudArguments& clouds)
+    : source(clouds.source == "-" && clouds.target == "-"
+                 ? throw std::invalid_argument("SOURCE, TARGET: only one can be stdin")
+                 : clouds.source),
+      target(clouds.target) {}
+
 void add_reading(CLI::App& command, CloudOptions& reading) {
   constexpr const char* kGroup = "Files";
   command
@@ -61,8 +69,8 @@ void add_reading(CLI::App& command, CloudOptions& reading) {
 }
 
 void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
-  command.add_option("SOURCE", source, "Cloud to move")->required();
-  command.add_option("TARGET", target, "Cloud to move it onto")->required();
+  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
+  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
   add_reading(command, reading);
   add_flags(command, frontend, selection);
 }

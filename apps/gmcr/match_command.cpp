@@ -23,12 +23,13 @@ struct Arguments {
   CloudArguments clouds;
   Options options;
   std::string matches;
-  bool json = false;
+  OutputArguments output;
 };
 
 ExitCode run(const Arguments& arguments) {
   check_matches_output(arguments.matches);
-  const ReadPair pair(arguments.clouds.source, arguments.clouds.target, arguments.clouds.reading);
+  const CloudFiles files(arguments.clouds);
+  const ReadPair pair(files.source, files.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
   const CloudMatches matches =
       pair.apply(arguments.clouds.frontend, [&](const auto& source, const auto& target) {
@@ -36,7 +37,7 @@ ExitCode run(const Arguments& arguments) {
       });
   const double seconds = stopwatch.seconds();
   write_matches(arguments.matches, matches.source, matches.target);
-  if (arguments.json) {
+  if (arguments.output.json) {
     Json json;
     json["status"] = "ok";
     json["num_correspondences"] = matches.source.cols();
@@ -54,10 +55,10 @@ ExitCode run(const Arguments& arguments) {
     print(json);
     return kPoseFound;
   }
-  Report report;
-  report.line("matches", fmt::format("{} between {} and {} voxels of {:.4g}", matches.source.cols(),
-                                     matches.source_voxels.cols(), matches.target_voxels.cols(),
-                                     matches.target_voxel_size));
+  Report report(arguments.output);
+  report.line("matches", fmt::format("{} between {} and {} voxels of {:.4g} m",
+                                     matches.source.cols(), matches.source_voxels.cols(),
+                                     matches.target_voxels.cols(), matches.target_voxel_size));
   report.line("time", duration(seconds));
   report.line("written", arguments.matches);
   const Options& options = arguments.options;
@@ -86,7 +87,7 @@ void add_match_command(CLI::App& app, Work& work) {
   command.get_option("--one-to-one")
       ->description("Of the matches that share a target, keep the closest (with --no-mutual)")
       ->group("Matching");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

@@ -27,21 +27,22 @@ Examples:
 
 struct Arguments {
   std::string cloud;
-  std::string output;
+  std::string path;
   FrontendOptions frontend;
   CloudOptions reading;
   Options solver;
-  bool json = false;
+  OutputArguments output;
 };
 
 ExitCode run(const Arguments& arguments) {
-  check_output(arguments.output);
-  const Points points = read_points(arguments.cloud, arguments.reading);
+  check_output(arguments.path);
+  const InputFile file(arguments.cloud);
+  const Points points = read_points(file, arguments.reading);
   const Stopwatch stopwatch;
   const PreparedCloud prepared(points, arguments.frontend, arguments.solver.num_threads);
-  write_text(arguments.output, prepared.to_bytes());
+  write_text(arguments.path, prepared.to_bytes());
   const double seconds = stopwatch.seconds();
-  if (arguments.json) {
+  if (arguments.output.json) {
     Json json;
     json["status"] = "ok";
     json["num_points"] = prepared.points().cols();
@@ -51,11 +52,11 @@ ExitCode run(const Arguments& arguments) {
     print(json);
     return kPoseFound;
   }
-  Report report;
+  Report report(arguments.output);
   report.line("prepared", fmt::format("{} points, voxels of {:.4g}", prepared.points().cols(),
                                       prepared.voxel_size()));
   report.line("time", duration(seconds));
-  report.line("written", arguments.output);
+  report.line("written", arguments.path);
   report.print();
   return kPoseFound;
 }
@@ -65,8 +66,8 @@ ExitCode run(const Arguments& arguments) {
 void add_prepare_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("prepare", "A cloud with its features, for many pairs");
-  command.add_option("CLOUD", arguments->cloud, "Cloud to prepare")->required();
-  command.add_option("-o,--output", arguments->output, "File to write, .ply")
+  command.add_option("CLOUD", arguments->cloud, "Cloud to prepare, or - for stdin")->required();
+  command.add_option("-o,--output", arguments->path, "File to write, .ply")
       ->required()
       ->type_name("PREPARED.ply");
   add_reading(command, arguments->reading);
@@ -76,7 +77,7 @@ void add_prepare_command(CLI::App& app, Work& work) {
   });
   add_flags(command, arguments->solver,
             [](const std::string& name) { return name == "num_threads"; });
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

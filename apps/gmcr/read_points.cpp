@@ -9,32 +9,31 @@
 
 namespace gmcr::cli {
 
-Points read_points(const std::filesystem::path& path, const CloudOptions& options) {
-  Cloud cloud = read_cloud(path, options);
-  say_notes(path, cloud.notes);
+Points read_points(const InputFile& file, const CloudOptions& options) {
+  Cloud cloud = file.read([&](const auto& path) { return read_cloud(path, options); });
+  say_notes(file, cloud.notes);
   return std::move(cloud.points);
 }
 
-ReadPair::ReadPair(const std::filesystem::path& source, const std::filesystem::path& target,
-                   const CloudOptions& options)
+ReadPair::ReadPair(const InputFile& source, const InputFile& target, const CloudOptions& options)
     : source_(source, options), target_(target, options) {}
 
-ReadPair::Read::Read(const std::filesystem::path& path, const CloudOptions& options) {
+ReadPair::Read::Read(const InputFile& file, const CloudOptions& options) {
   std::array<char, 64> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  std::ifstream(file.path(), std::ios::binary).read(start.data(), start.size());
   if (!PreparedCloud::is_prepared({start.data(), start.size()})) {
-    read = read_points(path, options);
+    read = read_points(file, options);
     return;
   }
   try {
-    prepared = PreparedCloud::from_bytes(read_bytes(path));
+    prepared = PreparedCloud::from_bytes(file.read(&read_bytes));
   } catch (const std::invalid_argument& error) {
-    throw IoError(path, 0, error.what());
+    throw IoError(file.name(), 0, error.what());
   }
 }
 
-void say_notes(const std::filesystem::path& path, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) spdlog::warn("{}: {}", path.string(), note);
+void say_notes(const InputFile& file, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) spdlog::warn("{}: {}", file.name(), note);
 }
 
 }  // namespace gmcr::cli

@@ -1,24 +1,23 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gmcr/io.hpp"
 #include "gmcr/prepared_cloud.hpp"
+#include "input_file.hpp"
 
 namespace gmcr::cli {
 
 /// Reads a cloud; what the reader notes, such as points that it dropped, is said on stderr.
-Points read_points(const std::filesystem::path& path, const CloudOptions& options);
+Points read_points(const InputFile& file, const CloudOptions& options);
 
 /// Two clouds, of files that may be prepared.
 class ReadPair {
  public:
   /// @throws IoError, also where a prepared cloud is of another version or was changed.
-  ReadPair(const std::filesystem::path& source, const std::filesystem::path& target,
-           const CloudOptions& options);
+  ReadPair(const InputFile& source, const InputFile& target, const CloudOptions& options);
 
   const Points& source() const { return source_.points(); }
   const Points& target() const { return target_.points(); }
@@ -36,7 +35,7 @@ class ReadPair {
     Points read;  ///< where it is not prepared
     std::optional<PreparedCloud> prepared;
 
-    Read(const std::filesystem::path& path, const CloudOptions& options);
+    Read(const InputFile& file, const CloudOptions& options);
     const Points& points() const { return prepared ? prepared->points() : read; }
     PreparedCloud prepared_beside(const Read& other, const Eigen::Vector3d& viewpoint) const {
       return prepared ? *prepared : other.prepared->beside(read, viewpoint);
@@ -47,6 +46,6 @@ class ReadPair {
 };
 
 /// Says what a reader noted of a file, on stderr.
-void say_notes(const std::filesystem::path& path, const std::vector<std::string>& notes);
+void say_notes(const InputFile& file, const std::vector<std::string>& notes);
 
 }  // namespace gmcr::cli

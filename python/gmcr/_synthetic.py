@@ -61,6 +61,9 @@ def make_synthetic(
         changed = SyntheticOptions(**keywords)
         for name in keywords:
             setattr(options, name, getattr(changed, name))
+    elif not isinstance(options, SyntheticOptions):
+        advice = f"; write kind={options!r}" if isinstance(options, str) else ""
+        raise TypeError(f"options: expected SyntheticOptions, got {type(options).__name__}{advice}")
     elif keywords or kind != "ball":
         raise TypeError("give options, or kind and keywords, not both")
     if model is None:

@@ -43,7 +43,10 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
                    const parallel::Deadline& deadline) {
   result.refinement.method = "icp";
   StageClock clock(result.registration.diagnostics.stages);
-  if (!deadline.expired()) {
+  if (!begin_stage(options, "refinement")) {
+    result.registration.diagnostics.limits_hit.push_back(
+        {Limit::Stopped, "the caller stopped the refinement"});
+  } else if (!deadline.expired()) {
     const CloudMatches& matches = result.matches;
     const double cell = kCell * matches.target_voxel_size;
     const double source_cell = kCell * matches.source_voxel_size;

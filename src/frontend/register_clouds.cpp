@@ -63,6 +63,7 @@ std::optional<CloudResult> attempt(frontend::CloudScales& source, frontend::Clou
   CloudResult result;
   result.num_source_points = source.points().cols();
   result.num_target_points = target.points().cols();
+  frontend::begin_stage(options, "matching");
   result.matches = frontend::match_with(source, target, frontend, options, setting);
   const Index num_matches = result.matches.source.cols();
   if (!first && BitsetGraph::bytes_required(num_matches) > options.memory_limit) {
@@ -92,6 +93,7 @@ Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypothe
                 const Options& options, const parallel::Deadline& deadline) {
   if (result.registration.status != Status::Ok) return judged(std::move(result), options);
   frontend::StageClock clock(result.registration.diagnostics.stages);
+  frontend::begin_stage(options, "comparison");
   auto voxels = frontend::voxel_pair(result.matches);
   if (!hypotheses) {
     hypotheses.emplace(voxels, result.matches.target_voxel_size, options, deadline);
@@ -186,7 +188,15 @@ bool fits_mirrored(const PointsRef& source, frontend::CloudScales& target,
 }  // namespace
 
 CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
-                                      const FrontendOptions& frontend, const Options& options) {
+                                      const FrontendOptions& frontend, const Options& asked) {
+  bool is_stopped = false;  // a caller who wants to stop says so to one stage, and means all
+  Options options = asked;
+  if (asked.progress) {
+    options.progress = [&](const Progress& progress) {
+      is_stopped = is_stopped || !asked.progress(progress);
+      return !is_stopped;
+    };
+  }
   const parallel::Stopwatch stopwatch;
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const bool refines = frontend.refine == Refine::Icp;

@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import summary  # noqa: E402
-from reports.page import PLACE, TEMPLATE, compose  # noqa: E402
+from reports.page import LONGEST, PLACE, TEMPLATE, compose, fold_tables  # noqa: E402
 
 REPORT = "# Speed\n\nFirst.\n\n## Small\n\n| # |\n\n## Large\n\nLast.\n"
 
@@ -37,6 +37,15 @@ class Page(unittest.TestCase):
         page = compose(f"A\n\n{empty}\n\nB", {}, f"old A\n\n{filled}\n\nold B")
         self.assertEqual(page, f"A\n\n{filled}\n\nB\n")
         self.assertEqual(compose(f"A\n\n{empty}", {}, ""), f"A\n\n{empty}\n")
+
+    def test_long_tables_are_folded_once(self) -> None:
+        head = "| N | ms |\n| --- | --- |\n"
+        short = head + "| 1 | 2 |\n" * LONGEST
+        long = short + "| 1 | 2 |\n"
+        self.assertEqual(fold_tables(short), short)
+        folded = fold_tables(f"A\n\n{long}\nB\n")
+        self.assertIn(f"<summary>{LONGEST + 1} rows: N, ms</summary>\n\n{long}\n</details>", folded)
+        self.assertEqual(fold_tables(folded), folded)
 
     def test_nothing_is_left_out_silently(self) -> None:
         for template, before in [

@@ -55,6 +55,11 @@ MISTAKES = {
         TypeError,
         "mean 'outlier_rate'",
     ),
+    "a kind as if it were options": (
+        lambda: gmcr.make_synthetic("structured"),
+        TypeError,
+        "write kind='structured'",
+    ),
     "TEASER++'s name": (lambda: solve(cbar2=1), TypeError, "write noise_bound="),
     "a flag of the tool": (
         lambda: solve(estimate_scale=True),

@@ -183,6 +183,10 @@ def test_scans_that_nothing_connects_are_reported_in_groups_of_their_own() -> No
     assert errors.mean_point_error is not None
     assert errors.mean_point_error < 3 * NOISE
     assert "in the frame of scan 3: 3, 4" in result.summary()
+    assert str(result) == result.summary()
+    html = result._repr_html_()
+    assert html.count("<tr>") == 1 + len(result.edges)
+    assert "<td>2 \u2192 0</td>" in html and "<li>3, 4</li>" in html
 
 
 def test_a_long_loop_closes_within_the_drift_of_its_edges() -> None:
