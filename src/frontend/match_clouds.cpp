@@ -10,10 +10,6 @@
 namespace gmcr {
 namespace {
 
-/// Voxel over the extent of the cloud: fine enough for FPFH to see the shape, coarse enough for a
-/// few thousand points.
-constexpr double kVoxelShare = 0.015;
-
 /// Share of the time that is left that may go to the search for nearest features: the rest is for
 /// the pose.
 constexpr double kMatchingShare = 0.6;
@@ -25,12 +21,6 @@ struct VoxelSizes {
 
 /// A grid that leaves more than this share of the points apart is finer than their spacing.
 constexpr double kSparseShare = 0.7;
-
-/// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
-double voxel_size_from(frontend::CloudScales& cloud) {
-  const double extent = cloud.extent();
-  return extent > 0 ? kVoxelShare * extent : 1;
-}
 
 /// Smallest of `voxel_size` times 1, sqrt(2), 2 and so on that merges points of a sparse cloud.
 double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
@@ -53,13 +43,13 @@ VoxelSizes choose_voxel_sizes(frontend::CloudScales& source, frontend::CloudScal
   };
   VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
   if (options.scale_mode == ScaleMode::Estimated) {
-    if (sizes.source == 0) sizes.source = fit_spacing(source, voxel_size_from(source));
-    if (sizes.target == 0) sizes.target = fit_spacing(target, voxel_size_from(target));
+    if (sizes.source == 0) sizes.source = fit_spacing(source, source.voxel_size());
+    if (sizes.target == 0) sizes.target = fit_spacing(target, target.voxel_size());
     return sizes;
   }
   if (sizes.target == 0 && sizes.source > 0) sizes.target = sizes.source * options.scale;
   if (sizes.target == 0) {
-    const double size = std::min(voxel_size_from(source) * options.scale, voxel_size_from(target));
+    const double size = std::min(source.voxel_size() * options.scale, target.voxel_size());
     sizes.target = std::max(fit_spacing(source, size / options.scale) * options.scale,
                             fit_spacing(target, size));
   }
@@ -133,12 +123,17 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
   return matches;
 }
 
+CloudMatches frontend::match_scales(CloudScales& source, CloudScales& target,
+                                    const FrontendOptions& frontend, const Options& options) {
+  return match_with(source, target, frontend, options,
+                    list_settings(frontend, {source.points(), target.points()}).front());
+}
+
 CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   frontend::CloudScales from(source), to(target);
-  return frontend::match_with(from, to, frontend, options,
-                              frontend::list_settings(frontend, {source, target}).front());
+  return frontend::match_scales(from, to, frontend, options);
 }
 
 }  // namespace gmcr
