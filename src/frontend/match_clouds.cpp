@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -120,10 +121,21 @@ CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& targ
       frontend::describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
   const frontend::Features target_features =
       frontend::describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto found = frontend::match_features(
-      source_features, target_features,
-      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one,
-       deadline.within(kMatchingShare * deadline.remaining())});
+  frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
+                                     threads, options.one_to_one,
+                                     deadline.within(kMatchingShare * deadline.remaining())};
+  const Points source_normals =
+      frontend::oriented_normals(from, setting.source_side, frontend.source_viewpoint);
+  const Points target_normals =
+      frontend::oriented_normals(to, setting.target_side, frontend.target_viewpoint);
+  std::optional<frontend::MatchPriors> priors;
+  if (frontend::MatchPriors::say_something(options)) {
+    priors.emplace(frontend::OrientedPoints{from.voxels, source_normals},
+                   frontend::OrientedPoints{to.voxels, target_normals}, options,
+                   matches.noise_bound);
+    matching.priors = &*priors;
+  }
+  const auto found = frontend::match_features(source_features, target_features, matching);
   matches.share_compared = found.share_compared;
   for (const frontend::FeatureMatch& pair : found.pairs) {
     matches.source_indices.push_back(pair.source);

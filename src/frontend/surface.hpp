@@ -21,6 +21,11 @@ struct Surface {
 Surface make_surface(const PointsRef& points, double voxel_size, const FrontendOptions& frontend,
                      int num_threads, StageClock& clock);
 
+/// The normals of the surface turned to the given side.
+/// @param side  not `Automatic`.
+Points oriented_normals(const Surface& surface, NormalOrientation side,
+                        const Eigen::Vector3d& viewpoint);
+
 /// FPFH of the surface with its normals turned to the given side; time goes to "features".
 /// @param side  not `Automatic`.
 Features describe(const Surface& surface, NormalOrientation side, const Eigen::Vector3d& viewpoint,
