@@ -4,7 +4,7 @@ export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 export CCACHE_SLOPPINESS := pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-.PHONY: configure build demo test lint sanitize bench bench-paper clean format
+.PHONY: configure build demo test lint sanitize bench bench-paper site clean format
 
 build: configure
 	@cmake --build --preset release
@@ -43,6 +43,12 @@ bench: build
 bench-paper: build/.packages
 	@tools/make_venv
 	@bench/paper/run
+
+# the documentation as a site, in build/site/html
+site: configure
+	@cmake --build --preset release --target gmcr_cli
+	@tools/make_venv
+	@build/venv/bin/python site/build.py
 
 format:
 	@git ls-files '*.hpp' '*.cpp' | xargs clang-format -i

@@ -22,6 +22,7 @@ from paper.data import pairs_of, read_points, read_pose
 from paper.problem import Pose, Problem
 from paper.scenarios.real import make_problem
 from paper.scenarios.synthetic import load_model, problem_of
+from reports.page import fold_tables
 
 MATCHED = ("kitti_fpfh", "gore")
 RAW = ("stanford_scans", "mian_views", "lidar", "mining_lidar")
@@ -338,7 +339,7 @@ def main() -> None:
         )
         if count != 1:
             raise SystemExit(f"{given.docs}: no block of poses")
-        given.docs.write_text(page)
+        given.docs.write_text(fold_tables(page))
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import gmcr
 import numpy as np
+from reports.page import fold_tables
 
 Cloud = np.ndarray
 Matches = tuple[Cloud, Cloud]
@@ -117,8 +118,11 @@ def in_clutter(clutter: Maker) -> Maker:
         source, target = clutter(random, count)
         moved = turned(np.vstack([source, target]), random)[: len(source)]
         noise = random.normal(size=(right, 3))
-        noise *= 0.9 * BOUND * random.uniform(0, 1, (right, 1)) / np.linalg.norm(
-            noise, axis=1, keepdims=True
+        noise *= (
+            0.9
+            * BOUND
+            * random.uniform(0, 1, (right, 1))
+            / np.linalg.norm(noise, axis=1, keepdims=True)
         )
         moved[right:] = target[right:] - target.mean(0) + moved.mean(0)
         moved[:right] += noise
@@ -197,7 +201,7 @@ def main() -> None:
         )
         if count != 1:
             raise SystemExit(f"{given.docs}: no block of verdicts")
-        given.docs.write_text(page)
+        given.docs.write_text(fold_tables(page))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 #include "arguments.hpp"
 
+#include <stdexcept>
+
 #include "choice.hpp"
 #include "validators.hpp"
 
@@ -42,9 +44,15 @@ Options SolverArguments::resolved() const {
   return resolved;
 }
 
+CloudFiles::CloudFiles(const CloudArguments& clouds)
+    : source(clouds.source == "-" && clouds.target == "-"
+                 ? throw std::invalid_argument("SOURCE, TARGET: only one can be stdin")
+                 : clouds.source),
+      target(clouds.target) {}
+
 void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
-  command.add_option("SOURCE", source, "Cloud to move")->required();
-  command.add_option("TARGET", target, "Cloud to move it onto")->required();
+  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
+  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
   constexpr const char* kGroup = "Files";
   command
       .add_option("--mesh-points", reading.mesh_points,

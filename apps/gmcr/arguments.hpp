@@ -6,8 +6,10 @@
 #include "gmcr/frontend.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/options.hpp"
+#include "input_file.hpp"
 #include "noise_arguments.hpp"
 #include "option_flags.hpp"
+#include "output_arguments.hpp"
 #include "priors_arguments.hpp"
 
 namespace gmcr::cli {
@@ -41,6 +43,15 @@ struct CloudArguments {
 
   /// @param selection  of the front end's options; null: all.
   void add_to(CLI::App& command, const Selection& selection = nullptr);
+};
+
+/// The files of two clouds, of which one may be stdin.
+struct CloudFiles {
+  InputFile source;
+  InputFile target;
+
+  /// @throws std::invalid_argument where both are stdin.
+  explicit CloudFiles(const CloudArguments& clouds);
 };
 
 }  // namespace gmcr::cli

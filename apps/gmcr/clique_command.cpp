@@ -5,17 +5,17 @@
 #include "gmcr/io.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/version.hpp"
+#include "input_file.hpp"
 #include "json.hpp"
 #include "option_flags.hpp"
 #include "report.hpp"
 #include "stopwatch.hpp"
-#include "validators.hpp"
 
 namespace gmcr::cli {
 namespace {
 
 constexpr const char* kExamples =
-    R"(GRAPH is DIMACS (.clq, .col) or MatrixMarket (.mtx). Vertices count from 1, as in the file.
+    R"(GRAPH is DIMACS (.clq, .col) or MatrixMarket (.mtx), or - for one of them from stdin. Vertices count from 1, as in the file.
 
 Examples:
   gmcr clique brock200_4.clq
@@ -24,8 +24,8 @@ Examples:
 struct Arguments {
   std::string graph;
   CliqueOptions options;
-  std::size_t memory_limit = Options{}.memory_limit;
-  bool json = false;
+  Options limits;  ///< of which the memory is that of the graph
+  OutputArguments output;
 };
 
 Json to_json(const BitsetGraph& graph, const CliqueResult& result,
@@ -45,9 +45,8 @@ Json to_json(const BitsetGraph& graph, const CliqueResult& result,
   return json;
 }
 
-void print_report(const BitsetGraph& graph, const CliqueResult& result,
+void print_report(Report report, const BitsetGraph& graph, const CliqueResult& result,
                   const std::vector<Index>& vertices, double seconds) {
-  Report report;
   report.line("graph",
               fmt::format("{} vertices, {} edges", graph.num_vertices(), graph.num_edges()));
   report.line("clique", fmt::format("{} vertices: {}", vertices.size(), fmt::join(vertices, " ")));
@@ -62,16 +61,18 @@ void print_report(const BitsetGraph& graph, const CliqueResult& result,
 }
 
 ExitCode run(const Arguments& arguments) {
-  const BitsetGraph graph = read_graph(arguments.graph, arguments.memory_limit);
+  const InputFile file(arguments.graph, TextKind::Graph);
+  const BitsetGraph graph =
+      file.read([&](const auto& path) { return read_graph(path, arguments.limits.memory_limit); });
   const Stopwatch stopwatch;
   const CliqueResult result = max_clique(graph, arguments.options);
   const double seconds = stopwatch.seconds();
   std::vector<Index> vertices = result.vertices;
   for (Index& vertex : vertices) ++vertex;
-  if (arguments.json) {
+  if (arguments.output.json) {
     print(to_json(graph, result, vertices, seconds));
   } else {
-    print_report(graph, result, vertices, seconds);
+    print_report(Report(arguments.output), graph, result, vertices, seconds);
   }
   return kPoseFound;
 }
@@ -81,16 +82,14 @@ ExitCode run(const Arguments& arguments) {
 void add_clique_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("clique", "Maximum clique of a graph file");
-  command.add_option("GRAPH", arguments->graph, "Graph, .clq, .col or .mtx")->required();
+  command.add_option("GRAPH", arguments->graph, "Graph, .clq, .col or .mtx, or - for stdin")
+      ->required();
   add_flags(command, arguments->options, [](const std::string& name) {
     return name == "time_limit" || name == "max_nodes" || name == "num_threads";
   });
-  command.add_option("--memory-limit", arguments->memory_limit, "Bytes for the graph, such as 2GB")
-      ->check(not_negative())
-      ->transform(CLI::AsSizeValue(false))
-      ->type_name("BYTES")
-      ->capture_default_str();
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  add_flags(command, arguments->limits,
+            [](const std::string& name) { return name == "memory_limit"; });
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

@@ -24,5 +24,7 @@ void add_clique_command(CLI::App& app, Work& work);
 void add_synth_command(CLI::App& app, Work& work);
 void add_eval_command(CLI::App& app, Work& work);
 void add_info_command(CLI::App& app, Work& work);
+void add_manual_command(CLI::App& app, Work& work);
+void add_completion_command(CLI::App& app, Work& work);
 
 }  // namespace gmcr::cli

@@ -9,6 +9,7 @@
 #include "gmcr/io.hpp"
 #include "gmcr/metrics.hpp"
 #include "gmcr/version.hpp"
+#include "input_file.hpp"
 #include "json.hpp"
 #include "report.hpp"
 
@@ -16,17 +17,19 @@ namespace gmcr::cli {
 namespace {
 
 constexpr const char* kExamples =
-    R"(RESULT is a 4 x 4 text file (-o) or the JSON of solve or register (--json).
+    R"(RESULT is a 4 x 4 text file (-o) or the JSON of solve or register (--json), or - for one of
+them from stdin.
 
 Examples:
   gmcr eval T.txt T_truth.txt
+  gmcr solve matches.csv --noise-bound 0.01 --json | gmcr eval - T_truth.txt
   gmcr eval result.json T_truth.txt --points source.ply --json)";
 
 struct Arguments {
   std::string result;
   std::string truth;
   std::string points;
-  bool json = false;
+  OutputArguments output;
 };
 
 struct Estimate {
@@ -76,33 +79,33 @@ Json errors_of(const Similarity& estimate, const Similarity& truth,
   return json;
 }
 
-void print_report(const std::string& status, const Json& errors) {
-  Report report;
+void print_report(Report report, const std::string& status, const Json& errors) {
   if (status != "ok") report.line("status", status, Report::Tone::Bad);
   const auto number = [&](const char* name) { return errors[name].get<double>(); };
   report.line("rotation", fmt::format("{:.6g} deg", number("rotation_error_deg")));
-  report.line("translation", fmt::format("{:.6g}", number("translation_error")));
+  report.line("translation", fmt::format("{:.6g} m", number("translation_error")));
   report.line("scale", fmt::format("{:.4g} %", 100 * number("scale_error")));
   if (errors.contains("mean_point_error")) {
-    report.line("mean point", fmt::format("{:.6g}", number("mean_point_error")));
+    report.line("mean point", fmt::format("{:.6g} m", number("mean_point_error")));
   }
   report.print();
 }
 
 ExitCode run(const Arguments& arguments) {
-  const Estimate estimate = read_estimate(arguments.result);
+  const InputFile file(arguments.result);
+  const Estimate estimate = file.read([](const auto& path) { return read_estimate(path); });
   const Similarity truth = read_transform(arguments.truth);
   std::optional<Cloud> cloud;
   if (!arguments.points.empty()) cloud = read_cloud(arguments.points);
   const Json errors = errors_of(estimate.pose, truth, cloud);
-  if (arguments.json) {
+  if (arguments.output.json) {
     Json json;
     json["status"] = estimate.status;
     json.update(errors);
     json["version"] = kVersion;
     print(json);
   } else {
-    print_report(estimate.status, errors);
+    print_report(Report(arguments.output), estimate.status, errors);
   }
   return estimate.status == "ok" ? kPoseFound : kNoPose;
 }
@@ -114,9 +117,10 @@ void add_eval_command(CLI::App& app, Work& work) {
   CLI::App& command = *app.add_subcommand("eval", "Errors of a result against the truth");
   command.add_option("RESULT", arguments->result, "Estimate, T.txt or result.json")->required();
   command.add_option("TRUTH", arguments->truth, "True 4 x 4 transform")->required();
-  command.add_option("--points", arguments->points, "Source cloud, for the mean point error")
+  command
+      .add_option("--points", arguments->points, "Source cloud, for the mean point error (metres)")
       ->type_name("CLOUD");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

@@ -14,32 +14,12 @@
 #include <vector>
 
 #include "json_text.hpp"
+#include "scratch_folder.hpp"
 
 namespace gmcr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "gmcr-report-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw IoError(name, 0, "cannot be made");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 /// Where the stderr of the Python program goes; its stdout never reaches that of the tool.
 enum class Errors { Shown, Dropped };

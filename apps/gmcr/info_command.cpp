@@ -32,7 +32,7 @@ int num_threads() {
   return register_correspondences(none, none, options).diagnostics.num_threads;
 }
 
-ExitCode run(bool as_json) {
+ExitCode run(const OutputArguments& output) {
   Json json;
   json["version"] = kVersion;
   json["isa"] = active_isa();
@@ -44,11 +44,11 @@ ExitCode run(bool as_json) {
   // as they were called at first, for programs that read them so
   json["defaults"]["hypotheses"] = Options{}.num_hypotheses;
   json["defaults"]["attempts"] = FrontendOptions{}.max_attempts;
-  if (as_json) {
+  if (output.json) {
     print(json);
     return kPoseFound;
   }
-  Report report;
+  Report report(output);
   report.line("gmcr", kVersion);
   report.line("isa", fmt::format("{}, of {}", active_isa(), fmt::join(supported_isas(), " ")));
   report.line("threads", json["threads"].dump());
@@ -67,11 +67,11 @@ ExitCode run(bool as_json) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Work& work) {
-  const auto as_json = std::make_shared<bool>(false);
+  const auto output = std::make_shared<OutputArguments>();
   CLI::App& command = *app.add_subcommand("info", "Version, instruction set, threads, defaults");
-  command.add_flag("--json", *as_json, "Print one JSON object");
+  output->add_to(command);
   command.footer(kExamples);
-  command.callback([as_json, &work] { work = [as_json] { return run(*as_json); }; });
+  command.callback([output, &work] { work = [output] { return run(*output); }; });
 }
 
 }  // namespace gmcr::cli

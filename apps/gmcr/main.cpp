@@ -1,13 +1,16 @@
 #include <fmt/core.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -15,7 +18,10 @@
 #include "gmcr/invalid_option.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
+#include "help.hpp"
 #include "option_flags.hpp"
+#include "spelling.hpp"
+#include "terminal.hpp"
 
 namespace gmcr::cli {
 namespace {
@@ -49,8 +55,17 @@ std::string with_flag(const InvalidOption& error, const CLI::App& app) {
   return error.what();
 }
 
+/// "gmcr solve --help" where the command line names a command.
+std::string help_command(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? "gmcr --help"
+                          : fmt::format("gmcr {} --help", commands.front()->get_name());
+}
+
 void log_to_stderr() {
-  const auto logger = spdlog::stderr_color_mt("gmcr");
+  const auto logger =
+      spdlog::stderr_color_mt("gmcr", takes_colours(STDERR_FILENO) ? spdlog::color_mode::automatic
+                                                                   : spdlog::color_mode::never);
   logger->set_pattern("gmcr: %^%l%$: %v");
   spdlog::set_default_logger(logger);
 }
@@ -63,7 +78,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(0, 1);
   app.footer(kExamples);
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<HelpFormatter>());
   Work work;
   add_register_command(app, work);
   add_solve_command(app, work);
@@ -72,6 +87,8 @@ int run(int argc, char** argv) {
   add_synth_command(app, work);
   add_eval_command(app, work);
   add_info_command(app, work);
+  add_manual_command(app, work);
+  add_completion_command(app, work);
   try {
     app.parse(argc, argv);
     // not left to CLI11, which would not name a command that it does not know
@@ -85,7 +102,9 @@ int run(int argc, char** argv) {
     if (!std::cout.flush()) return fail(kBadFile, "standard output: cannot be written");
     return code;
   } catch (const CLI::ParseError& error) {
-    return fail(kBadInput, as_written(error.what(), app, argc, argv) + " (see gmcr --help)");
+    const std::optional<std::string> unknown = unknown_word(app, argc, argv);
+    return fail(kBadInput, unknown.value_or(as_written(error.what(), app, argc, argv)) +
+                               fmt::format(" (see {})", help_command(app)));
   } catch (const IoError& error) {
     return fail(kBadFile, error.what());
   } catch (const InvalidOption& error) {

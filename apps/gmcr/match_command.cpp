@@ -23,19 +23,20 @@ struct Arguments {
   CloudArguments clouds;
   Options options;
   std::string matches;
-  bool json = false;
+  OutputArguments output;
 };
 
 ExitCode run(const Arguments& arguments) {
   check_matches_output(arguments.matches);
-  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
-  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
+  const CloudFiles files(arguments.clouds);
+  const Points source = read_points(files.source, arguments.clouds.reading);
+  const Points target = read_points(files.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
   const CloudMatches matches =
       match_clouds(source, target, arguments.clouds.frontend, arguments.options);
   const double seconds = stopwatch.seconds();
   write_matches(arguments.matches, matches.source, matches.target);
-  if (arguments.json) {
+  if (arguments.output.json) {
     Json json;
     json["status"] = "ok";
     json["num_correspondences"] = matches.source.cols();
@@ -53,10 +54,10 @@ ExitCode run(const Arguments& arguments) {
     print(json);
     return kPoseFound;
   }
-  Report report;
-  report.line("matches", fmt::format("{} between {} and {} voxels of {:.4g}", matches.source.cols(),
-                                     matches.source_voxels.cols(), matches.target_voxels.cols(),
-                                     matches.target_voxel_size));
+  Report report(arguments.output);
+  report.line("matches", fmt::format("{} between {} and {} voxels of {:.4g} m",
+                                     matches.source.cols(), matches.source_voxels.cols(),
+                                     matches.target_voxels.cols(), matches.target_voxel_size));
   report.line("time", duration(seconds));
   report.line("written", arguments.matches);
   const Options& options = arguments.options;
@@ -85,7 +86,7 @@ void add_match_command(CLI::App& app, Work& work) {
   command.get_option("--one-to-one")
       ->description("Of the matches that share a target, keep the closest (with --no-mutual)")
       ->group("Matching");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

@@ -1,6 +1,10 @@
 #include "option_flags.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 #include "choice.hpp"
 #include "options/table.hpp"
@@ -19,6 +23,21 @@ std::string metavar_of(const std::string& unit) {
   return "";
 }
 
+/// A default as people read it.
+template <class Value>
+std::string default_of(Value value) {
+  if (value == std::numeric_limits<Value>::max() || value == options::kInfinity) return "no limit";
+  return fmt::format("{}", value);
+}
+
+/// Bytes in the largest unit of which they are a whole number.
+std::string bytes_of(std::size_t bytes) {
+  constexpr const char* kUnits[] = {"", "KB", "MB", "GB"};
+  std::size_t unit = 0;
+  for (; unit + 1 < std::size(kUnits) && bytes > 0 && bytes % 1024 == 0; ++unit) bytes /= 1024;
+  return fmt::format("{}{}", bytes, kUnits[unit]);
+}
+
 template <class Value>
 constexpr bool kIsNumber = std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>;
 
@@ -26,13 +45,17 @@ template <class Value>
 CLI::Option* add_number(CLI::App& command, const About& about, Value& value) {
   CLI::Option* flag =
       command.add_option(flags_of(about.name, about.alias), value, options::describe(about))
-          ->capture_default_str();
+          ->default_str(default_of(value));
   if constexpr (std::is_unsigned_v<Value>) flag->check(not_negative());
   const std::string metavar = metavar_of(about.unit);
   if constexpr (std::is_same_v<Value, std::size_t>) {
-    if (metavar == "BYTES") flag->transform(CLI::AsSizeValue(false));
+    if (metavar == "BYTES") {
+      flag->transform(CLI::AsSizeValue(false));
+      flag->default_str(bytes_of(value));
+    }
   }
-  if (!metavar.empty()) flag->type_name(metavar);  // after the transform, which brings its own
+  const char* number = std::is_integral_v<Value> ? "N" : "X";
+  flag->type_name(metavar.empty() ? number : metavar);  // after the transform, which has its own
   return flag;
 }
 

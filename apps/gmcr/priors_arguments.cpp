@@ -47,6 +47,13 @@ std::vector<double> parse_gravity(const CLI::results_t& given) {
   return values;
 }
 
+/// What help says of an option whose unit on the command line is degrees, or as it is.
+std::string help_in_degrees(options::About about, bool is_angle) {
+  if (is_angle) about.unit = "degrees";
+  if (is_angle) about.range = {nullptr, "in [0, 180]"};
+  return options::describe(about);
+}
+
 /// Adds the option of a prior at `place`; an angle is given in degrees.
 /// @param prefix  of its name.
 template <class Prior>
@@ -58,7 +65,9 @@ CLI::Option* add_limit(CLI::App& command, const std::string& prefix, double Prio
       const options::About& about = option.about;
       if (option.place != place) return;
       const bool is_angle = about.unit == std::string("radians");
-      flag = command.add_option(flags_of(prefix + about.name, about.alias), value, about.help)
+      flag = command
+                 .add_option(flags_of(prefix + about.name, about.alias), value,
+                             help_in_degrees(about, is_angle))
                  ->check(is_angle ? between(0, 180, "degrees") : at_least(0))
                  ->type_name(is_angle ? "DEG" : "M")
                  ->group(about.group);

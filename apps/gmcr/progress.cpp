@@ -5,8 +5,11 @@
 
 #include <chrono>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "stopwatch.hpp"
+#include "terminal.hpp"
 
 namespace gmcr::cli {
 namespace {
@@ -15,9 +18,27 @@ constexpr double kFirst = 1;  // seconds
 constexpr double kTerminalPeriod = 0.2;
 constexpr double kLogPeriod = 10;
 
+/// What goes on, for people; a stage is called by its name otherwise.
+std::string words_of(const std::string& stage) {
+  constexpr std::pair<const char*, const char*> kWords[] = {{"scale_votes", "votes for scales"},
+                                                            {"graph", "consistency graph"},
+                                                            {"clique", "clique search"},
+                                                            {"pose", "judging poses"},
+                                                            {"certify", "proof"},
+                                                            {"comparison", "comparing surfaces"},
+                                                            {"evidence", "distinct evidence"},
+                                                            {"noise", "choosing the noise bound"},
+                                                            {"start", "starting"}};
+  for (const auto& [name, words] : kWords) {
+    if (stage == name) return words;
+  }
+  return stage;
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO)), thread_([this] { run(); }) {}
+ProgressLine::ProgressLine(bool is_quiet)
+    : is_quiet_(is_quiet), is_terminal_(obeys_codes(STDERR_FILENO)), thread_([this] { run(); }) {}
 
 ProgressLine::~ProgressLine() {
   {
@@ -44,6 +65,7 @@ void ProgressLine::run() {
     if (ended_.wait_for(lock, std::chrono::duration<double>(pause), [&] { return has_ended_; })) {
       break;
     }
+    if (is_quiet_) continue;
     print(stopwatch.seconds());
     is_shown = true;
   }
@@ -53,8 +75,9 @@ void ProgressLine::run() {
 void ProgressLine::print(double seconds) const {
   const std::string share =
       progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
-  fmt::print(stderr, "{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ", progress_.stage,
-             share, seconds, is_terminal_ ? "" : "\n");
+  fmt::print(stderr, "{}{}{} ({:.0f} s){}",
+             is_terminal_ ? "\r\033[K" : "gmcr: ", words_of(progress_.stage), share, seconds,
+             is_terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 

@@ -12,7 +12,8 @@ namespace gmcr::cli {
 /// is rewritten on a terminal, a line now and then elsewhere.
 class ProgressLine {
  public:
-  ProgressLine();
+  /// @param is_quiet  shows nothing.
+  explicit ProgressLine(bool is_quiet);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -24,11 +25,12 @@ class ProgressLine {
   void run();
   void print(double seconds) const;
 
+  const bool is_quiet_;
   const bool is_terminal_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable ended_;
   bool has_ended_ = false;
-  Progress progress_{"front end", 0};
+  Progress progress_{"start", 0};
   std::thread thread_;  // last: it uses the others
 };
 

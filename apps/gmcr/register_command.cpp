@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kExamples =
     R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
 surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
-for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come from the clouds unless given.
+for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come
+from the clouds unless given. One of the clouds may be - for stdin.
 
 Examples:
   gmcr register scan2.ply scan1.ply
@@ -44,7 +45,7 @@ struct Arguments {
   std::string matches;
   std::string json_file;
   std::string report;
-  bool json = false;
+  OutputArguments output;
   Verdict required = Verdict::Untrusted;
 };
 
@@ -58,9 +59,9 @@ void check_outputs(const Arguments& arguments) {
 }
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
-std::vector<std::string> write_files(const Arguments& arguments, const CloudResult& result,
-                                     const Points& source, const Points& target,
-                                     const std::string& json) {
+std::vector<std::string> write_files(const Arguments& arguments, const CloudFiles& files,
+                                     const CloudResult& result, const Points& source,
+                                     const Points& target, const std::string& json) {
   std::vector<std::string> written;
   const auto note = [&](const std::string& path) { written.push_back(path); };
   if (result.registration.status == Status::Ok) {
@@ -70,7 +71,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
       note(arguments.transform);
     }
     if (!arguments.aligned.empty()) {
-      write_moved_cloud(arguments.aligned, arguments.clouds.source, pose, arguments.clouds.reading);
+      write_moved_cloud(arguments.aligned, files.source.path(), pose, arguments.clouds.reading);
       note(arguments.aligned);
     }
   }
@@ -84,7 +85,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudResu
   }
   if (!arguments.report.empty()) {
     write_html_report(arguments.report, json,
-                      {arguments.clouds.source + " \u2192 " + arguments.clouds.target,
+                      {files.source.name() + " \u2192 " + files.target.name(),
                        {result.matches.source, result.matches.target, {}},
                        source,
                        target});
@@ -98,24 +99,26 @@ ExitCode run(const Arguments& arguments) {
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
   check_outputs(arguments);
-  const Points source = read_points(arguments.clouds.source, arguments.clouds.reading);
-  const Points target = read_points(arguments.clouds.target, arguments.clouds.reading);
+  const CloudFiles files(arguments.clouds);
+  const Points source = read_points(files.source, arguments.clouds.reading);
+  const Points target = read_points(files.target, arguments.clouds.reading);
   CloudResult result;
   ReportContext context;
   context.options = &options;
   {
-    ProgressLine progress;
+    ProgressLine progress(arguments.output.quiet);
     options.progress = progress.callback();
     const Stopwatch stopwatch;
     result = register_clouds(source, target, arguments.clouds.frontend, options);
     context.total_seconds = stopwatch.seconds();
   }
   const std::string json = to_json(result, context, kJsonIndent);
-  const std::vector<std::string> written = write_files(arguments, result, source, target, json);
-  if (arguments.json) {
+  const std::vector<std::string> written =
+      write_files(arguments, files, result, source, target, json);
+  if (arguments.output.json) {
     print_json(json);
   } else {
-    Report report;
+    Report report(arguments.output);
     report.add(report_lines(result, Detail::Full, context));
     for (const std::string& path : written) report.line("written", path);
     report.print();
@@ -149,7 +152,7 @@ void add_register_command(CLI::App& app, Work& work) {
   add_path("--json-file", arguments->json_file, "Write the JSON object to a file too", "FILE");
   add_path("--report", arguments->report, "Write a page with pictures (needs the Python package)",
            "FILE.html");
-  command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
 }

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include "terminal.hpp"
 
 namespace gmcr::cli {
 
@@ -16,8 +16,8 @@ void Report::add(const std::vector<ReportLine>& lines) {
 }
 
 void Report::print() const {
-  const bool is_terminal = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
-  fmt::print("{}", to_text(lines_, is_terminal));
+  if (output_.quiet) return;
+  fmt::print("{}", to_text(lines_, takes_colours(STDOUT_FILENO)));
 }
 
 }  // namespace gmcr::cli

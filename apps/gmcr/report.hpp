@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gmcr/report.hpp"
+#include "output_arguments.hpp"
 
 namespace gmcr::cli {
 
@@ -13,13 +14,16 @@ class Report {
  public:
   using Tone = gmcr::Tone;
 
+  explicit Report(const OutputArguments& output) : output_(output) {}
+
   void line(std::string_view label, std::string_view text, Tone tone = Tone::Plain);
   void add(const std::vector<ReportLine>& lines);
 
-  /// Prints it on stdout.
+  /// Prints it on stdout, unless it is to be quiet.
   void print() const;
 
  private:
+  OutputArguments output_;
   std::vector<ReportLine> lines_;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kExamples =
     R"(MATCHES is a CSV with the columns ax,ay,az,bx,by,bz (source point, target point; also
-sx,sy,sz,tx,ty,tz or x1..z2, by name among others) or an .npy of shape (N, 6). A 7th column
+sx,sy,sz,tx,ty,tz or x1..z2, by name among others) or an .npy of shape (N, 6), or - for either from stdin. A 7th column
 (noise_bound) holds a noise bound for each match, instead of --noise-bound; without a name it is
 refused where it may as well be a score.
 
@@ -28,6 +28,8 @@ Examples:
   gmcr solve matches.csv --noise-bound 0.6 -o T.txt --inliers inliers.txt
   gmcr solve matches.csv --noise-bound 0.05 --report report.html
 
+  from another program:
+    my_matcher a.ply b.ply | gmcr solve - --noise-bound 0.05
   the noise bound is not known:
     gmcr solve matches.csv --noise-bound auto
   the matches bring their own, in a column noise_bound:
@@ -53,7 +55,7 @@ struct Arguments {
   std::string transform_path;
   std::string inliers_path;
   std::string report_path;
-  bool json = false;
+  OutputArguments output;
   Verdict required = Verdict::Untrusted;
 };
 
@@ -80,10 +82,11 @@ ExitCode run(const Arguments& arguments) {
        {arguments.transform_path, arguments.inliers_path, arguments.report_path}) {
     if (!path.empty()) check_output(path);
   }
-  const Matches matches = read_matches(arguments.matches);
-  say_notes(arguments.matches, matches.notes);
+  const InputFile file(arguments.matches);
+  const Matches matches = file.read([](const auto& path) { return read_matches(path); });
+  say_notes(file, matches.notes);
   arguments.solver.noise.check_against(matches, options);
-  ProgressLine progress;
+  ProgressLine progress(arguments.output.quiet);
   options.progress = progress.callback();
   const Stopwatch stopwatch;
   const std::vector<Result> results = solve(arguments, matches, options);
@@ -99,12 +102,12 @@ ExitCode run(const Arguments& arguments) {
   context.total_seconds = seconds;
   if (!arguments.report_path.empty()) {
     write_html_report(arguments.report_path, json_of(arguments, results, context),
-                      {arguments.matches, matches, {}, {}});
+                      {file.name(), matches, {}, {}});
   }
-  if (arguments.json) {
+  if (arguments.output.json) {
     print_json(json_of(arguments, results, context));
   } else {
-    Report report;
+    Report report(arguments.output);
     report.add(arguments.wants_instances ? report_lines(results, Detail::Full, context)
                                          : report_lines(best, Detail::Full, context));
     if (is_ok && !arguments.transform_path.empty()) {
@@ -130,7 +133,8 @@ void add_instance_options(CLI::App& command, InstanceOptions& instances) {
 void add_solve_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("solve", "Pose from a file of putative matches");
-  command.add_option("MATCHES", arguments->matches, "Matches, .csv, .txt or .npy")->required();
+  command.add_option("MATCHES", arguments->matches, "Matches, .csv, .txt or .npy, or - for stdin")
+      ->required();
   arguments->solver.noise.add_to(command,
                                  "Largest error of a right match, metres; auto: chosen from the "
                                  "matches. Required unless MATCHES has a 7th column");
@@ -153,7 +157,7 @@ void add_solve_command(CLI::App& app, Work& work) {
                   "Write a page with pictures (needs the Python package)")
       ->type_name("FILE.html")
       ->group(kOutput);
-  command.add_flag("--json", arguments->json, "Print one JSON object")->group(kOutput);
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &command, &work] {
     arguments->wants_instances = command.count("--max-instances") > 0;

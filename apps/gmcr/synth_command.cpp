@@ -29,7 +29,7 @@ struct Arguments {
   std::string inliers;
   std::string model;
   SyntheticOptions options;
-  bool json = false;
+  OutputArguments output;
 };
 
 SyntheticOptions preset(SyntheticKind kind) {
@@ -77,12 +77,12 @@ ExitCode run(const Arguments& arguments) {
   const SyntheticProblem problem =
       arguments.model.empty()
           ? make_synthetic(options)
-          : make_synthetic(options, read_points(arguments.model, {.mesh_points = 0}));
+          : make_synthetic(options, read_points(InputFile(arguments.model), {.mesh_points = 0}));
   const std::vector<Index> inliers = inliers_of(problem);
   write_matches(arguments.matches, problem.source, problem.target);
   if (!arguments.truth.empty()) write_transform(arguments.truth, problem.target_from_source);
   if (!arguments.inliers.empty()) write_indices(arguments.inliers, inliers);
-  if (arguments.json) {
+  if (arguments.output.json) {
     Json json;
     json["status"] = "ok";
     json["num_correspondences"] = problem.source.cols();
@@ -95,13 +95,13 @@ ExitCode run(const Arguments& arguments) {
     print(json);
     return kPoseFound;
   }
-  Report report;
+  Report report(arguments.output);
   report.line("written", arguments.matches);
   const double percent = 100.0 * static_cast<double>(inliers.size()) /
                          static_cast<double>(std::max<Index>(1, problem.source.cols()));
   report.line("inliers",
               fmt::format("{} of {} ({:.1f} %)", inliers.size(), problem.source.cols(), percent));
-  report.line("noise bound", fmt::format("{:.6g}", problem.noise_bound));
+  report.line("noise bound", fmt::format("{:.6g} m", problem.noise_bound));
   report.line(
       "solve it",
       fmt::format(
@@ -122,12 +122,13 @@ void add_synth_command(CLI::App& app, Work& work) {
   command.add_option("--truth", arguments->truth, "True transform to write")->type_name("T.txt");
   command.add_option("--inliers", arguments->inliers, "True inlier indices to write")
       ->type_name("FILE");
-  command.add_option("--model", arguments->model, "Cloud to take points from")->type_name("CLOUD");
+  command.add_option("--model", arguments->model, "Cloud to take points from, or - for stdin")
+      ->type_name("CLOUD");
   add_flags(command, arguments->options);
   for (CLI::Option* option : command.get_options()) {
     if (option->get_name() != "--kind") option->default_str("");  // each kind has its own
   }
-  command.add_flag("--json", arguments->json, "Print one JSON object");
+  arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &command, &work] {
     arguments->options = resolve(command, arguments->options);

@@ -19,6 +19,7 @@ from paper.records import read_records
 from paper.runner import SKIPPED
 from paper.scenarios import EXPERIMENTS
 from paper.tables import TABLES
+from reports.page import fold_tables
 
 HEADING = "## The paper's experiments"
 BEGIN, END = "<!-- begin paper -->", "<!-- end paper -->"  # bench/report.py keeps what is between
@@ -130,7 +131,7 @@ def main() -> int:
     document = options.docs / "benchmarks.md"
     section = compose(options.out, options.docs / "images", options.docs)
     text = document.read_text() if document.exists() else "# Benchmarks\n"
-    document.write_text(replace_section(text, section))
+    document.write_text(fold_tables(replace_section(text, section)))
     return 0
 
 

@@ -11,6 +11,9 @@ PLACE = re.compile(
 )
 BLOCK = re.compile(r"<!-- begin (?P<name>\S+) -->\n.*?<!-- end (?P=name) -->", re.DOTALL)
 
+LONGEST = 8  # rows of a table that is not folded
+_TABLE = re.compile(r"(?P<summary></summary>\n\n)?^\|.*\n\|[ -|]*\n(?:\|.*\n)+", re.MULTILINE)
+
 
 def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
     """The page that a template and reports make.
@@ -38,7 +41,7 @@ def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
     if lost:
         raise ValueError(f"the template has no place for the blocks {sorted(lost)}")
     page = BLOCK.sub(lambda block: kept.get(block["name"], block[0]), page)
-    return re.sub(r"\n{3,}", "\n\n", page).strip() + "\n"
+    return fold_tables(re.sub(r"\n{3,}", "\n\n", page).strip() + "\n")
 
 
 def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
@@ -52,3 +55,20 @@ def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
             raise ValueError(f"{place[0]}: no heading {heading}")
         text = text[:start] if side == "until" else text[start:]
     return re.sub(r"^(#+ )", r"#\1", text, flags=re.MULTILINE).strip()
+
+
+def fold_tables(page: str) -> str:
+    """The page with its long tables folded, so that it can be read; folded ones stay as they are."""
+    return _TABLE.sub(_folded, page)
+
+
+def _folded(table: re.Match) -> str:
+    head, _, *rows = table[0].strip().split("\n")
+    if len(rows) <= LONGEST or table["summary"]:
+        return table[0]
+    columns = [cell.strip() for cell in head.strip("|").split("|")]
+    shown = ", ".join(column for column in columns[:3] if column)
+    summary = f"{len(rows)} rows: {shown}{', ...' if len(columns) > 3 else ''}"
+    return (
+        f'<details markdown="1"><summary>{summary}</summary>\n\n{table[0].strip()}\n\n</details>\n'
+    )

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frontend/cloud_scales.hpp"
 #include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
@@ -38,8 +39,7 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
                    const FrontendOptions& frontend, const Options& options);
 
 /// `match_clouds` with one setting and arguments that were validated.
-CloudMatches match_with(const PointsRef& source, const PointsRef& target,
-                        const FrontendOptions& frontend, const Options& options,
-                        const FrontendSetting& setting);
+CloudMatches match_with(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,
+                        const Options& options, const FrontendSetting& setting);
 
 }  // namespace gmcr::frontend

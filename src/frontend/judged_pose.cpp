@@ -66,7 +66,8 @@ Options options_with_bound(const Options& options, const CloudMatches& matches) 
 
 std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches) {
   if (matches.source_voxels.cols() == 0 || matches.target_voxels.cols() == 0) return nullptr;
-  return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels);
+  return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels,
+                                       matches.source_voxel_size, matches.target_voxel_size);
 }
 
 double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options) {

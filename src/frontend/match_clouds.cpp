@@ -5,9 +5,7 @@
 #include <string>
 
 #include "frontend/cloud_pair.hpp"
-#include "frontend/extent.hpp"
 #include "frontend/feature_matching.hpp"
-#include "frontend/surface.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr {
@@ -30,8 +28,8 @@ struct VoxelSizes {
 constexpr double kSparseShare = 0.7;
 
 /// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
-double voxel_size_from(const PointsRef& points) {
-  const double extent = points.cols() > 0 ? frontend::robust_extent(points) : 0;
+double voxel_size_from(frontend::CloudScales& cloud) {
+  const double extent = cloud.extent();
   return extent > 0 ? kVoxelShare * extent : 1;
 }
 
@@ -48,11 +46,11 @@ double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
 
 /// Sizes as given, and from the clouds where not.
 /// @param coarsen  no chosen size is below the spacing of the points.
-VoxelSizes choose_voxel_sizes(const PointsRef& source, const PointsRef& target,
+VoxelSizes choose_voxel_sizes(frontend::CloudScales& source, frontend::CloudScales& target,
                               const FrontendOptions& frontend, const Options& options,
                               bool coarsen) {
-  const auto fit_spacing = [&](const PointsRef& points, double size) {
-    return coarsen ? coarsen_to_spacing(points, size) : size;
+  const auto fit_spacing = [&](const frontend::CloudScales& cloud, double size) {
+    return coarsen ? coarsen_to_spacing(cloud.points(), size) : size;
   };
   VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
   if (options.scale_mode == ScaleMode::Estimated) {
@@ -91,7 +89,7 @@ void frontend::validate_pair(const PointsRef& source, const PointsRef& target,
   require_finite(target, "target");
 }
 
-CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& target,
+CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
                                   const FrontendOptions& asked, const Options& options,
                                   const frontend::FrontendSetting& setting) {
   const parallel::Deadline deadline(options.time_limit, options.stop);
@@ -113,26 +111,22 @@ CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& targ
                             : frontend.noise_bound_voxels * matches.target_voxel_size;
 
   const int threads = options.num_threads;
-  frontend::Surface from =
-      frontend::make_surface(source, matches.source_voxel_size, frontend, threads, clock);
-  frontend::Surface to =
-      frontend::make_surface(target, matches.target_voxel_size, frontend, threads, clock);
-  const frontend::Features source_features =
-      frontend::describe(from, setting.source_side, frontend.source_viewpoint, threads, clock);
-  const frontend::Features target_features =
-      frontend::describe(to, setting.target_side, frontend.target_viewpoint, threads, clock);
+  const Surface& from = source.surface(matches.source_voxel_size, frontend, threads, clock);
+  const Surface& to = target.surface(matches.target_voxel_size, frontend, threads, clock);
+  const Features& source_features =
+      source.features(from, setting.source_side, frontend.source_viewpoint, threads, clock);
+  const Features& target_features =
+      target.features(to, setting.target_side, frontend.target_viewpoint, threads, clock);
   frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
                                      threads, options.one_to_one,
                                      deadline.within(kMatchingShare * deadline.remaining())};
-  const Points source_normals =
-      frontend::oriented_normals(from, setting.source_side, frontend.source_viewpoint);
-  const Points target_normals =
-      frontend::oriented_normals(to, setting.target_side, frontend.target_viewpoint);
-  std::optional<frontend::MatchPriors> priors;
-  if (frontend::MatchPriors::say_something(options)) {
-    priors.emplace(frontend::OrientedPoints{from.voxels, source_normals},
-                   frontend::OrientedPoints{to.voxels, target_normals}, options,
-                   matches.noise_bound);
+  Points source_normals, target_normals;
+  std::optional<MatchPriors> priors;
+  if (MatchPriors::say_something(options)) {
+    source_normals = oriented_normals(from, setting.source_side, frontend.source_viewpoint);
+    target_normals = oriented_normals(to, setting.target_side, frontend.target_viewpoint);
+    priors.emplace(OrientedPoints{from.voxels, source_normals},
+                   OrientedPoints{to.voxels, target_normals}, options, matches.noise_bound);
     matching.priors = &*priors;
   }
   const auto found = frontend::match_features(source_features, target_features, matching);
@@ -143,8 +137,8 @@ CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& targ
   }
   matches.source = from.voxels(Eigen::all, matches.source_indices);
   matches.target = to.voxels(Eigen::all, matches.target_indices);
-  matches.source_voxels = std::move(from.voxels);
-  matches.target_voxels = std::move(to.voxels);
+  matches.source_voxels = from.voxels;
+  matches.target_voxels = to.voxels;
   clock.lap("matching");
   return matches;
 }
@@ -152,7 +146,8 @@ CloudMatches frontend::match_with(const PointsRef& source, const PointsRef& targ
 CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
-  return frontend::match_with(source, target, frontend, options,
+  frontend::CloudScales from(source), to(target);
+  return frontend::match_with(from, to, frontend, options,
                               frontend::list_settings(frontend, {source, target}).front());
 }
 

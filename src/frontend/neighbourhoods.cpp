@@ -1,71 +1,40 @@
 #include "frontend/neighbourhoods.hpp"
 
-#include <algorithm>
-#include <utility>
-
-#include "frontend/kd_tree.hpp"
+#include "frontend/point_grid.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
-namespace {
-
-constexpr Index kGrain = 256;
-
-/// Neighbours of a run of points, in order.
-struct Chunk {
-  std::vector<std::size_t> counts;
-  std::vector<std::int32_t> indices;
-  std::vector<double> squared_distances;
-};
-
-Chunk search_chunk(const KdTree& tree, const PointsRef& points, double squared_radius, Index begin,
-                   Index end) {
-  Chunk chunk;
-  std::vector<std::pair<std::int32_t, double>> found;
-  nanoflann::SearchParams unsorted;
-  unsorted.sorted = false;
-  for (Index i = begin; i < end; ++i) {
-    found.clear();
-    tree.radiusSearch(points.col(i).data(), squared_radius, found, unsorted);
-    std::size_t count = 0;
-    for (const auto& [index, squared_distance] : found) {
-      if (index == i) continue;
-      chunk.indices.push_back(index);
-      chunk.squared_distances.push_back(squared_distance);
-      ++count;
-    }
-    chunk.counts.push_back(count);
-  }
-  return chunk;
-}
-
-}  // namespace
 
 Neighbourhoods find_neighbourhoods(const PointsRef& points, double radius, int num_threads) {
+  const PointGrid grid(points, radius);
+  const kernels::PointColumns columns = grid.columns();
+  constexpr Index kBlock = Neighbourhoods::kBlock;
   Neighbourhoods result;
-  result.offsets.assign(1, 0);
-  if (points.cols() == 0) return result;
-
-  const KdTreePoints adaptor{points};
-  const KdTree tree(3, adaptor);
-  std::vector<Chunk> chunks(static_cast<std::size_t>((points.cols() + kGrain - 1) / kGrain));
-  parallel::parallel_for(points.cols(), kGrain, num_threads, [&](Index begin, Index end) {
-    chunks[static_cast<std::size_t>(begin / kGrain)] =
-        search_chunk(tree, points, radius * radius, begin, end);
-  });
-
-  for (const Chunk& chunk : chunks) {
-    for (std::size_t count : chunk.counts) {
-      result.offsets.push_back(result.offsets.back() + count);
+  result.blocks_.resize(static_cast<std::size_t>((points.cols() + kBlock - 1) / kBlock));
+  parallel::parallel_for(points.cols(), kBlock, num_threads, [&](Index begin, Index end) {
+    Neighbourhoods::Block& block = result.blocks_[static_cast<std::size_t>(begin / kBlock)];
+    std::vector<std::int64_t> slots;
+    std::vector<double> squared_distances;
+    for (Index i = begin; i < end; ++i) {
+      const auto runs = grid.runs_about(points.col(i).data());
+      const auto room =
+          static_cast<std::size_t>(PointGrid::num_points(runs) + kernels::NearPoints::kSlack);
+      if (room > slots.size()) {
+        slots.resize(room);
+        squared_distances.resize(room);
+      }
+      const auto count = static_cast<std::size_t>(
+          kernels::near_points(columns, runs, points.col(i).data(), radius * radius,
+                               {slots.data(), squared_distances.data()}));
+      for (std::size_t k = 0; k < count; ++k) {
+        const Index point = grid.point(slots[k]);
+        if (point == i) continue;
+        block.indices.push_back(static_cast<std::int32_t>(point));
+        block.squared_distances.push_back(squared_distances[k]);
+      }
+      block.ends.push_back(block.indices.size());
     }
-  }
-  result.indices.reserve(result.offsets.back());
-  result.squared_distances.reserve(result.offsets.back());
-  for (const Chunk& chunk : chunks) {
-    result.indices.insert(result.indices.end(), chunk.indices.begin(), chunk.indices.end());
-    result.squared_distances.insert(result.squared_distances.end(), chunk.squared_distances.begin(),
-                                    chunk.squared_distances.end());
-  }
+  });
   return result;
 }
 

@@ -5,7 +5,7 @@
 
 namespace gmcr::frontend {
 
-Overlap measure_overlap(const SurfaceCloud& source, const SurfaceCloud& target,
+Overlap measure_overlap(const SurfaceCloud& source, SurfaceCloud& target,
                         const Similarity& target_from_source, double radius, int num_threads) {
   const Points moved = target_from_source.apply(source.points());
   const std::vector<Index> nearest = target.nearest(moved, radius, num_threads);

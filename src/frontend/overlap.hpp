@@ -15,8 +15,8 @@ struct Overlap {
 ///
 /// @param target_from_source  between the centred frames.
 /// @param radius  metres, target frame, > 0.
-/// Cost O(N log M). Deterministic for any thread count.
-Overlap measure_overlap(const SurfaceCloud& source, const SurfaceCloud& target,
+/// Cost O(N). Deterministic for any thread count.
+Overlap measure_overlap(const SurfaceCloud& source, SurfaceCloud& target,
                         const Similarity& target_from_source, double radius, int num_threads);
 
 }  // namespace gmcr::frontend

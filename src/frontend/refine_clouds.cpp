@@ -44,11 +44,14 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
                    const parallel::Deadline& deadline) {
   result.refinement.method = "icp";
   StageClock clock(result.registration.diagnostics.stages);
-  if (!deadline.expired()) {
+  if (!begin_stage(options, "refinement")) {
+    result.registration.diagnostics.limits_hit.push_back(
+        {Limit::Stopped, "the caller stopped the refinement"});
+  } else if (!deadline.expired()) {
     const CloudMatches& matches = result.matches;
     const double cell = kCell * matches.target_voxel_size;
-    CentredPair pair(voxel_grid(source, kCell * matches.source_voxel_size),
-                     voxel_grid(target, cell));
+    const double source_cell = kCell * matches.source_voxel_size;
+    CentredPair pair(voxel_grid(source, source_cell), voxel_grid(target, cell), source_cell, cell);
     const RefinedPose refined =
         refine_pose(pair, result.registration.target_from_source,
                     {cell, kSettleReach, kSettleSamples, kSettleStep}, options, deadline);

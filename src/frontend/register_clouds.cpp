@@ -57,12 +57,13 @@ struct Attempt {
 /// One attempt from raw clouds to a pose of the matches.
 /// @return nullopt where the graph of the matches exceeds the memory budget and this is not the
 ///   `first` attempt, which would throw.
-std::optional<CloudResult> attempt(const PointsRef& source, const PointsRef& target,
+std::optional<CloudResult> attempt(frontend::CloudScales& source, frontend::CloudScales& target,
                                    const FrontendOptions& frontend, const Options& options,
                                    const frontend::FrontendSetting& setting, bool first) {
   CloudResult result;
-  result.num_source_points = source.cols();
-  result.num_target_points = target.cols();
+  result.num_source_points = source.points().cols();
+  result.num_target_points = target.points().cols();
+  frontend::begin_stage(options, "matching");
   result.matches = frontend::match_with(source, target, frontend, options, setting);
   const Index num_matches = result.matches.source.cols();
   if (!first && BitsetGraph::bytes_required(num_matches) > options.memory_limit) {
@@ -92,6 +93,7 @@ Attempt refined(CloudResult result, std::optional<frontend::Hypotheses>& hypothe
                 const Options& options, const parallel::Deadline& deadline) {
   if (result.registration.status != Status::Ok) return judged(std::move(result), options);
   frontend::StageClock clock(result.registration.diagnostics.stages);
+  frontend::begin_stage(options, "comparison");
   auto voxels = frontend::voxel_pair(result.matches);
   if (!hypotheses) {
     hypotheses.emplace(voxels, result.matches.target_voxel_size, options, deadline);
@@ -171,7 +173,7 @@ void add_stages(std::vector<StageTime>& sum, const std::vector<StageTime>& stage
 }
 
 /// Whether the mirrored source fits the target, by the first setting.
-bool fits_mirrored(const PointsRef& source, const PointsRef& target,
+bool fits_mirrored(const PointsRef& source, frontend::CloudScales& target,
                    const FrontendOptions& frontend, const Options& options,
                    const parallel::Deadline& deadline) {
   if (deadline.expired() || !options.admit_all()) return false;
@@ -181,8 +183,11 @@ bool fits_mirrored(const PointsRef& source, const PointsRef& target,
   seen.source_viewpoint.x() *= -1;
   Options remaining = with_hypotheses(options);
   remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
-  auto tried = attempt(mirrored, target, seen, remaining,
-                       frontend::list_settings(seen, {mirrored, target}).front(), false);
+  const PointsRef mirrored_points = mirrored;
+  frontend::CloudScales from(mirrored_points);
+  auto tried =
+      attempt(from, target, seen, remaining,
+              frontend::list_settings(seen, {mirrored_points, target.points()}).front(), false);
   if (!tried) return false;
   std::optional<frontend::Hypotheses> hypotheses;
   Attempt best = refined(std::move(*tried), hypotheses, options, deadline);
@@ -199,6 +204,7 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
   const bool refines = frontend.refine == Refine::Icp;
   Attempt best;
   std::optional<frontend::Hypotheses> hypotheses;
+  frontend::CloudScales from(source), to(target);
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
@@ -215,7 +221,7 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
     }
     Options remaining = refines ? with_hypotheses(options) : options;
     remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
-    auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
+    auto tried = attempt(from, to, frontend, remaining, setting, num_attempts == 0);
     if (!tried) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
       continue;
@@ -250,7 +256,7 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
     }
     keep_alternatives(result.registration, options);
     if (result.verdict != Verdict::Trusted &&
-        fits_mirrored(source, target, frontend, options, deadline)) {
+        fits_mirrored(source, to, frontend, options, deadline)) {
       result.notes.push_back(
           "the mirrored source fits the target: one of the clouds is left-handed, negate one of "
           "its coordinates");
@@ -273,8 +279,16 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
   }
   const frontend::DistinctCloud from = frontend::without_repeats(source);
   const frontend::DistinctCloud to = frontend::without_repeats(target);
+  bool is_stopped = false;  // a caller who wants to stop says so to one stage, and means all
+  Options lasting = options;
+  if (options.progress) {
+    lasting.progress = [&](const Progress& progress) {
+      is_stopped = is_stopped || !options.progress(progress);
+      return !is_stopped;
+    };
+  }
   CloudResult result = register_distinct(from.kept ? PointsRef(*from.kept) : source,
-                                         to.kept ? PointsRef(*to.kept) : target, frontend, options);
+                                         to.kept ? PointsRef(*to.kept) : target, frontend, lasting);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
   frontend::add_notes(result, source, target, from, to, frontend, options);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "parallel/stopwatch.hpp"
 
@@ -17,6 +18,12 @@ inline void add_stage(std::vector<StageTime>& stages, const std::string& name, d
     }
   }
   stages.push_back({name, seconds});
+}
+
+/// Tells the caller that a stage begins.
+/// @return false where the caller, who is asked by that, wants the work to end.
+inline bool begin_stage(const Options& options, const char* stage) {
+  return !options.progress || options.progress(Progress{stage, 0});
 }
 
 /// Splits the time since its construction among stages.

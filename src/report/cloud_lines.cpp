@@ -7,7 +7,7 @@ namespace report {
 namespace {
 
 std::string cloud_text(Index num_points, const Points& voxels, double voxel_size) {
-  return fmt::format("{} points, {} voxels of {:.4g}", num_points, voxels.cols(), voxel_size);
+  return fmt::format("{} points, {} voxels of {:.4g} m", num_points, voxels.cols(), voxel_size);
 }
 
 void add_clouds(Lines& lines, const CloudResult& result, Detail detail, const Options* options) {
@@ -20,8 +20,8 @@ void add_clouds(Lines& lines, const CloudResult& result, Detail detail, const Op
   }
   const bool is_noise_given = options ? options->noise_mode == NoiseMode::Given
                                       : !result.registration.noise_estimate.has_value();
-  lines.add("matches", is_noise_given ? fmt::format("{}, noise bound {:.4g}", matches.source.cols(),
-                                                    matches.noise_bound)
+  lines.add("matches", is_noise_given ? fmt::format("{}, noise bound {:.4g} m",
+                                                    matches.source.cols(), matches.noise_bound)
                                       : fmt::format("{}", matches.source.cols()));
 }
 
@@ -36,7 +36,8 @@ std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
   if (detail == Detail::Full) lines.add("refinement", result.refinement.note);
   lines.add("fitness", fmt::format("{:.1f} % of the source lies within a voxel of the target",
                                    100 * result.fitness));
-  if (detail == Detail::Full) lines.add("overlap RMSE", fmt::format("{:.4g}", result.overlap_rmse));
+  if (detail == Detail::Full)
+    lines.add("overlap RMSE", fmt::format("{:.4g} m", result.overlap_rmse));
   for (const std::string& note : result.notes) lines.add("note", note, Tone::Fair);
   report::add_verdict(lines, result.verdict, result.verdict_reason);
   return std::move(lines).take();

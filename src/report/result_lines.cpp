@@ -34,7 +34,7 @@ void add_pose(Lines& lines, const Similarity& pose, Detail detail) {
     lines.add_more(fmt::format("{:9.6f}  {:9.6f}  {:9.6f}", pose.rotation(i, 0),
                                pose.rotation(i, 1), pose.rotation(i, 2)));
   }
-  lines.add("translation", fmt::format("{}  length {:.6g}", vector_text(pose.translation),
+  lines.add("translation", fmt::format("{} m, length {:.6g} m", vector_text(pose.translation),
                                        pose.translation.norm()));
 }
 
@@ -151,6 +151,29 @@ void add_ambiguity(Lines& lines, const Result& result) {
             Tone::Bad);
 }
 
+/// Whether a limit left only a bound looser than it might be, which the certificate says in
+/// numbers.
+bool is_of_proof(Limit limit) {
+  return limit == Limit::CliqueSearch || limit == Limit::EvidenceSearch ||
+         limit == Limit::ScaleSearch || limit == Limit::ConsensusSearch;
+}
+
+/// Limits that the pose may feel, and one word on the proof where the caller asked for it.
+void add_limits(Lines& lines, const Diagnostics& diagnostics, const Options* options) {
+  bool is_unproven = false;
+  for (const LimitHit& hit : diagnostics.limits_hit) {
+    if (is_of_proof(hit.limit)) {
+      is_unproven = true;
+    } else {
+      lines.add("limit", hit.sentence, Tone::Fair);
+    }
+  }
+  if (is_unproven && options && options->certify) {
+    lines.add("proof", "not finished: a longer time limit may bring the bounds together",
+              Tone::Fair);
+  }
+}
+
 void add_work(Lines& lines, const Diagnostics& diagnostics, Detail detail,
               const ReportContext& context) {
   const double seconds = context.total_seconds.value_or(diagnostics.total_seconds);
@@ -160,7 +183,7 @@ void add_work(Lines& lines, const Diagnostics& diagnostics, Detail detail,
       lines.add_more(fmt::format("{:<22} {:>9}", stage.name, duration(stage.seconds)));
     }
   }
-  for (const LimitHit& hit : diagnostics.limits_hit) lines.add("limit", hit.sentence, Tone::Fair);
+  add_limits(lines, diagnostics, context.options);
 }
 
 Tone tone_of(Verdict verdict) {

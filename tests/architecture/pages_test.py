@@ -17,7 +17,8 @@ BUILD_FILES = {"CMakeLists.txt", "CMakePresets.json", "Makefile", "pyproject.tom
 GENERATED = {"build", "out", "__pycache__"}
 METHOD, ARCHITECTURE, DECISIONS = "docs/method.md", "docs/architecture.md", "docs/decisions"
 PAGES_OF_NAMES = (METHOD, ARCHITECTURE, "CONTRIBUTING.md")
-PARTS_OF = {"bench/reports/page.md": "docs", "bench/paper/discussion.md": "docs"}
+RECORDS = "docs/benchmarks.md"
+PARTS_OF = {"bench/reports/page.md": RECORDS, "bench/paper/discussion.md": RECORDS}
 
 
 def is_kept(root: Path, path: Path) -> bool:
@@ -162,8 +163,8 @@ def faults_of_links(root: Path) -> Iterator[str]:
             if re.match(r"[a-z]+:", link):
                 continue
             file, _, anchor = link.partition("#")
-            folder = root / PARTS_OF.get(name, Path(name).parent)
-            target = folder / file if file else root / name
+            page_of_link = root / PARTS_OF.get(name, name)
+            target = page_of_link.parent / file if file else page_of_link
             if not target.exists():
                 yield f"{name} links to {link}, which is not there"
             elif anchor and target.suffix == ".md" and anchor not in anchors(target.read_text()):

@@ -8,7 +8,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
-from reports.page import PLACE, TEMPLATE, compose  # noqa: E402
+import summary  # noqa: E402
+from reports.page import LONGEST, PLACE, TEMPLATE, compose, fold_tables  # noqa: E402
 
 REPORT = "# Speed\n\nFirst.\n\n## Small\n\n| # |\n\n## Large\n\nLast.\n"
 
@@ -37,6 +38,15 @@ class Page(unittest.TestCase):
         self.assertEqual(page, f"A\n\n{filled}\n\nB\n")
         self.assertEqual(compose(f"A\n\n{empty}", {}, ""), f"A\n\n{empty}\n")
 
+    def test_long_tables_are_folded_once(self) -> None:
+        head = "| N | ms |\n| --- | --- |\n"
+        short = head + "| 1 | 2 |\n" * LONGEST
+        long = short + "| 1 | 2 |\n"
+        self.assertEqual(fold_tables(short), short)
+        folded = fold_tables(f"A\n\n{long}\nB\n")
+        self.assertIn(f"<summary>{LONGEST + 1} rows: N, ms</summary>\n\n{long}\n</details>", folded)
+        self.assertEqual(fold_tables(folded), folded)
+
     def test_nothing_is_left_out_silently(self) -> None:
         for template, before in [
             ("{{other}}", ""),
@@ -56,6 +66,22 @@ class Page(unittest.TestCase):
         )
         for paragraph in filter(None, map(str.strip, prose.split("\n\n"))):
             self.assertIn(paragraph, page)
+
+
+class Summary(unittest.TestCase):
+    def test_the_page_of_one_screen_says_what_the_records_say(self) -> None:
+        records = summary.Records(summary.RECORDS.read_text())
+        self.assertEqual(summary.PAGE.read_text(), summary.compose(records), "run bench/summary.py")
+
+    def test_figures_are_looked_up_by_heading_row_and_column(self) -> None:
+        table = "| N | a | b | a |\n| --- | --- | --- | --- |\n| 1 | 2.5 (2-3) | > 5 | 9 |\n"
+        page = f"## Speed\n\n{table}"
+        row = summary.Records(page).row("Speed", "b", N="1")
+        self.assertEqual(summary.number(row["a"]), 2.5)
+        self.assertEqual(summary.ratio(row["b"], row["a"]), "> 2.0 x")
+        for key in ({"N": "2"}, {"M": "1"}):
+            with self.assertRaises(KeyError):
+                summary.Records(page).row("Speed", "b", **key)
 
 
 if __name__ == "__main__":

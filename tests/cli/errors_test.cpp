@@ -7,7 +7,8 @@ using test::expect_failure;
 using test::run_tool;
 using test::TemporaryFolder;
 
-const char* const kCommands[] = {"register", "solve", "match", "clique", "synth", "eval", "info"};
+const char* const kCommands[] = {"register", "solve", "match",  "clique",    "synth",
+                                 "eval",     "info",  "manual", "completion"};
 
 TEST(Help, OfEveryCommandHasAnExample) {
   for (const char* command : kCommands) {

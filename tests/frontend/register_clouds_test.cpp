@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "frontend/shapes.hpp"
 #include "gmcr/frontend.hpp"
@@ -45,6 +47,29 @@ TEST(RegisterClouds, RecoversAnUnknownScale) {
     EXPECT_LT(mean_point_error(result.registration.target_from_source, motion, source),
               0.12 * scale);
   }
+}
+
+TEST(RegisterClouds, TellsWhichStageIsAtWork) {
+  const Points source = bumpy_sphere(3000, 1), target = some_motion().apply(bumpy_sphere(3000, 2));
+  std::vector<std::string> stages;
+  Options options;
+  options.progress = [&](const Progress& progress) {
+    if (stages.empty() || stages.back() != progress.stage) stages.push_back(progress.stage);
+    return true;
+  };
+  const CloudResult whole = register_clouds(source, target, {}, options);
+  EXPECT_EQ(stages.front(), "matching");
+  EXPECT_EQ(stages.back(), "refinement");
+  EXPECT_NE(std::find(stages.begin(), stages.end(), "comparison"), stages.end());
+
+  options.progress = [](const Progress& progress) {
+    return progress.stage != std::string("refinement");
+  };
+  const CloudResult stopped = register_clouds(source, target, {}, options);
+  const auto& hits = stopped.registration.diagnostics.limits_hit;
+  ASSERT_FALSE(hits.empty());
+  EXPECT_EQ(hits.back().limit, Limit::Stopped);
+  EXPECT_EQ(stopped.registration.inliers.empty(), whole.registration.inliers.empty());
 }
 
 TEST(RegisterClouds, InliersAreWithinTheBoundTheResultNames) {

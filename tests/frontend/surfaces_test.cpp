@@ -49,7 +49,8 @@ const std::array<Vector3d, 3> kWall{Vector3d(0, 0, 0), Vector3d(3, 0, 0), Vector
 const std::array<Vector3d, 3> kOtherWall{Vector3d(0, 0, 0), Vector3d(0, 3, 0), Vector3d(0, 0, 3)};
 
 SurfaceFit fit_of(const std::vector<std::array<Vector3d, 3>>& sides, const Similarity& pose) {
-  CentredPair pair(voxel_grid(rectangles(sides, 1), 0.1), voxel_grid(rectangles(sides, 2), 0.1));
+  CentredPair pair(voxel_grid(rectangles(sides, 1), 0.1), voxel_grid(rectangles(sides, 2), 0.1),
+                   0.1, 0.1);
   return measure_surfaces(pair, pose, 0.1, 2500, 2);
 }
 
@@ -131,7 +132,7 @@ TEST(Verdict, IsOnlyAsGoodAsTheWorstOfMatchesAndSurfaces) {
 
 TEST(SurfaceJudge, TurnsThePoseByHalfAboutThreeAxes) {
   const Points points = voxel_grid(bumpy_sphere(5000, 1), 0.1);
-  const auto pair = std::make_shared<CentredPair>(points, some_motion().apply(points));
+  const auto pair = std::make_shared<CentredPair>(points, some_motion().apply(points), 0.1, 0.1);
   const Options options;
   const SurfaceJudge judge(pair, 0.1, options);
   const auto turned = judge.half_turns(some_motion());

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("tqdm")
-EXAMPLE = Path(__file__).parents[2] / "examples" / "python" / "04_batch.py"
+EXAMPLE = Path(__file__).parents[2] / "examples" / "python" / "09_batch.py"
 
 
 def test_the_example_registers_every_pair_but_the_broken_one():

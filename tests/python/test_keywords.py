@@ -40,6 +40,8 @@ OFFERED = {
     "max_clique(graph, ": CLIQUES,
     "max_weight_clique(graph, weights, ": WEIGHTED,
     "make_synthetic(": SYNTHETIC,
+    "multiview.register_scans(scans, ": CLOUDS,
+    "multiview.register_pairs(scans, ": CLOUDS,
     "viz.plot(result, source, target, ": SOLVER,
     "viz.report(result, source, target, path, ": SOLVER,
 }
@@ -50,6 +52,7 @@ TYPOS = {
     "register_clouds(points, points, voxel_sise=1)": "voxel_size",
     "register_clouds(points, points, refine='gicp')": "'icp'",
     "register_instances(points, points, max_instance=1)": "max_instances",
+    "multiview.register_scans([points], voxel_sise=1)": "voxel_size",
     "max_clique(points, time_limt=1)": "time_limit",
     "make_synthetic(outlier_rat=0.5)": "outlier_rate",
     "Options(evidence='counts')": "'count'",
@@ -76,7 +79,8 @@ def test_the_typed_words_are_those_that_are_known(name):
 @pytest.mark.parametrize("call", OFFERED, ids=lambda call: call.partition("(")[0])
 def test_an_editor_offers_every_option(call):
     script = jedi.Script(
-        f"import gmcr.viz\ngmcr.{call}", project=jedi.Project(Path(gmcr.__file__).parents[1])
+        f"import gmcr.multiview, gmcr.viz\ngmcr.{call}",
+        project=jedi.Project(Path(gmcr.__file__).parents[1]),
     )
     offered = {completion.name for completion in script.complete()}
     assert {f"{option}=" for option in OFFERED[call]} <= offered
@@ -93,7 +97,12 @@ def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
         "InitialPose(target_from_source=points, max_rotation=0.1)",
     ]
     path = tmp_path / "calls.py"
-    head = ["import pathlib", "import gmcr", "import numpy as np", "points = np.zeros((3, 3))"]
+    head = [
+        "import pathlib",
+        "import gmcr.multiview",
+        "import numpy as np",
+        "points = np.zeros((3, 3))",
+    ]
     path.write_text("\n".join([*head, *(f"gmcr.{call}" for call in [*right, *TYPOS])]))
     done = subprocess.run(
         [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path / "cache", path],

@@ -17,7 +17,7 @@ from gmcr.multiview import register_pairs, register_scans
 pytest.importorskip("open3d")
 
 Matrix = npt.NDArray[np.float64]
-EXAMPLE = Path(__file__).parents[2] / "examples/python/05_multiview.py"
+EXAMPLE = Path(__file__).parents[2] / "examples/python/10_multiview.py"
 
 
 @pytest.fixture(scope="module")

@@ -17,6 +17,17 @@ from gmcr.__main__ import main
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples/python").glob("*.py"))
+NOTEBOOKS = sorted((ROOT / "examples/notebooks").glob("*.ipynb"))
+SAYS = {
+    "01_correspondences": "trusted: ",
+    "02_clouds": "trusted: ",
+    "03_own_clique_solver": "exact: clique of 80, ",
+    "04_priors_and_proof": "without gravity: 40 agree, proven best: True",
+    "05_files": "the same bits: True",
+    "06_rotation_search": "30 of 300 agree, at most 30 can",
+    "07_plane_with_outliers": "40 of 400 points lie on the plane, no plane has more than 40",
+    "08_learned_matches": "trusted: ",
+}
 
 
 def run(*command, **keywords):
@@ -110,4 +121,22 @@ def test_an_example_runs(path, clouds, tmp_path):
             arguments.append(tmp_path / f"{name}.npy")
     done = run(path, *arguments, env={**os.environ, "PYTHONWARNINGS": "error"})
     assert done.returncode == 0, done.stderr
+    assert SAYS.get(path.stem, "") in done.stdout
     assert done.stdout
+
+
+def test_the_examples_go_from_one_to_eight_in_both_languages():
+    for path in (ROOT / "examples", ROOT / "examples/python"):
+        names = {each.stem for each in path.glob("0[1-8]_*")}
+        assert names == SAYS.keys(), path
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_notebook_runs_and_comes_without_output(path):
+    cells = json.loads(path.read_text())["cells"]
+    names = {}
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            assert cell["outputs"] == []
+            exec("".join(cell["source"]), names)
+    assert "gmcr" in names

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gmcr/report.hpp"
 #include "report/results.hpp"
@@ -28,7 +29,7 @@ TEST(Report, SaysAllThatTheToolPrints) {
   for (const char* line :
        {"status        pose found\n", "scale         2\n",
         "rotation      90.000 deg about (0.0000, 0.0000, 1.0000)\n",
-        "translation   (1, 2, 3)  length 3.74166\n", "inliers       3 of 10 (30.0 %)\n",
+        "translation   (1, 2, 3) m, length 3.74166 m\n", "inliers       3 of 10 (30.0 %)\n",
         "used          9 of 10 (90.0 %), those that the priors admit\n",
         "              4 are held by the pose that was found to hold the most\n",
         "evidence      3.2, at most 4.5 possible\n", "time          2.00 s with 14 threads\n",
@@ -52,6 +53,19 @@ TEST(Report, BriefIsAPartOfFull) {
       ASSERT_NE(place, all.end()) << line.label << " " << line.text;
     }
   }
+}
+
+TEST(Report, SpeaksOfAnUnfinishedProofOnlyWhereItWasAskedFor) {
+  Result result = make_result();
+  result.diagnostics.limits_hit = {{Limit::EvidenceSearch, "a search ended before its proof"}};
+  Options options;
+  for (const Options* given : {static_cast<const Options*>(nullptr), &std::as_const(options)}) {
+    EXPECT_EQ(full(result, given).find("proof"), std::string::npos);
+  }
+  options.certify = true;
+  EXPECT_TRUE(says(full(result, &options), "proof         not finished: a longer time limit"));
+  result.diagnostics.limits_hit = {{Limit::Time, "the time budget ended the search"}};
+  EXPECT_EQ(full(result, &options).find("proof "), std::string::npos);
 }
 
 TEST(Report, ClaimsNothingOfPosesThatPriorsMayExclude) {
@@ -115,8 +129,8 @@ TEST(Report, OfInstancesHasARowForEachThatWasFound) {
 
 TEST(Report, OfCloudsEndsWithTheVerdict) {
   const std::vector<ReportLine> lines = report_lines(make_cloud_result(), Detail::Full);
-  EXPECT_EQ(lines.front().text, "200 points, 20 voxels of 0.25");
-  EXPECT_EQ(lines[2].text, "10, noise bound 0.75");
+  EXPECT_EQ(lines.front().text, "200 points, 20 voxels of 0.25 m");
+  EXPECT_EQ(lines[2].text, "10, noise bound 0.75 m");
   EXPECT_EQ(lines.back().label, "verdict");
   EXPECT_EQ(lines.back().text, "doubtful: few matches agree");
   EXPECT_EQ(lines.back().tone, Tone::Fair);

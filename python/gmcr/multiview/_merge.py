@@ -7,21 +7,21 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from .._arguments import as_points, as_pose
+from .._arguments import CloudLike, PoseLike, as_cloud, as_pose
 from .._clouds import voxel_grid
 from ._motion import move
 
 
 def merge_scans(
-    scans: Sequence[npt.ArrayLike],
-    poses: Sequence[npt.ArrayLike | None],
+    scans: Sequence[CloudLike],
+    poses: Sequence[PoseLike | None],
     voxel_size: float,
 ) -> npt.NDArray[np.float64]:
     """The scans in one frame, averaged in each voxel.
 
     Parameters
     ----------
-    scans : sequence of array_like, shape (N_i, 3)
+    scans : sequence of array_like, shape (N_i, 3), or paths
         Points, metres, finite.
     poses : sequence of array_like, shape (4, 4), or None
         One a scan, as ``MultiviewResult.poses``; scans without one are left out.
@@ -41,7 +41,7 @@ def merge_scans(
     if len(scans) != len(poses):
         raise ValueError(f"poses: {len(poses)} for {len(scans)} scans")
     placed = [
-        move(as_points(scan, f"scans[{index}]"), as_pose(pose).matrix())
+        move(as_cloud(scan, f"scans[{index}]"), as_pose(pose).matrix())
         for index, (scan, pose) in enumerate(zip(scans, poses, strict=True))
         if pose is not None
     ]

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import combinations
-from typing import Any
+from typing import TYPE_CHECKING
 
-import numpy.typing as npt
-
-from .._arguments import as_options
+from .._arguments import CloudLike, cloud_options
 from .._clouds import refine_clouds, register_clouds, with_pose
 from .._enums import Refine, ScaleMode, Verdict
 from .._gmcr import CloudResult, FrontendOptions, Options
@@ -17,24 +15,29 @@ from ._motion import Matrix
 from ._overlap import overlap_of, require_open3d
 from ._scans import as_scans
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .._keywords import CloudKeywords
+
 _LEAST_SIGMA = 1e-3  # voxels: copies of a scan meet exactly
 
 
 def register_pairs(
-    scans: Sequence[npt.ArrayLike],
+    scans: Sequence[CloudLike],
     pairs: Iterable[tuple[int, int]] | None = None,
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
     *,
     tolerance: float | None = None,
-    **keywords: Any,
+    **keywords: Unpack[CloudKeywords],
 ) -> list[Edge]:
     """Registers pairs of scans by ``gmcr.register_clouds``.
 
     Parameters
     ----------
-    scans : sequence of array_like, shape (N_i, 3)
-        Points, metres, finite.
+    scans : sequence of array_like, shape (N_i, 3), or paths
+        Points, metres, finite; each as a cloud of ``register_clouds``.
     pairs : iterable of (int, int), optional
         (source, target) indices; every pair by default, the later scan onto the earlier.
     frontend : FrontendOptions, optional
@@ -44,7 +47,7 @@ def register_pairs(
     tolerance : float, optional
         Metres, > 0, see ``Edge.tolerance``; the noise bound of the pair by default.
     **keywords
-        Fields of ``Options``, instead of ``options``.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these.
 
     Returns
     -------
@@ -65,12 +68,11 @@ def register_pairs(
     """
     points = as_scans(scans)
     chosen = _check_pairs(_all_pairs(len(points)) if pairs is None else pairs, len(points))
-    solver = as_options(Options, options, keywords)
+    matching, solver = cloud_options(frontend, options, **keywords)
     if solver.scale_mode != ScaleMode.KNOWN or solver.scale != 1:
         raise ValueError("options: scans of one scene have scale 1, known")
     if tolerance is not None and not tolerance > 0:
         raise ValueError(f"tolerance: {tolerance} is not positive")
-    matching = as_options(FrontendOptions, frontend, {})
     require_open3d()  # before the long work
     edges = []
     for source, target in chosen:

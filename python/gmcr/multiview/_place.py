@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
+from .._arguments import CloudLike
 from .._enums import Verdict
 from ._edge import Edge, point_information
 from ._forest import length_around, poses_along, spanning_forest
@@ -21,7 +21,7 @@ from ._scans import as_scans
 _MAX_ROUNDS = 10
 
 
-def place_scans(scans: Sequence[npt.ArrayLike], edges: Sequence[Edge]) -> MultiviewResult:
+def place_scans(scans: Sequence[CloudLike], edges: Sequence[Edge]) -> MultiviewResult:
     """Poses of all scans from measured poses of pairs, some of which may be wrong.
 
     1. Groups of scans, at first single ones, are joined by the largest sets of edges between them
@@ -32,7 +32,7 @@ def place_scans(scans: Sequence[npt.ArrayLike], edges: Sequence[Edge]) -> Multiv
 
     Parameters
     ----------
-    scans : sequence of array_like, shape (N_i, 3)
+    scans : sequence of array_like, shape (N_i, 3), or paths
         Points, metres, finite; only their centroids and extents are used.
     edges : sequence of Edge
         Measured poses; several for one pair of scans are hypotheses of which one may be accepted.

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
-import numpy.typing as npt
-
+from .._arguments import CloudLike
 from .._gmcr import FrontendOptions, Options
 from ._pairs import register_pairs
 from ._place import place_scans
 from ._result import MultiviewResult
+from ._scans import as_scans
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .._keywords import CloudKeywords
 
 
 def register_scans(
-    scans: Sequence[npt.ArrayLike],
+    scans: Sequence[CloudLike],
     pairs: Iterable[tuple[int, int]] | None = None,
     frontend: FrontendOptions | None = None,
     options: Options | None = None,
     *,
     tolerance: float | None = None,
-    **keywords: Any,
+    **keywords: Unpack[CloudKeywords],
 ) -> MultiviewResult:
     """Poses of many scans in the frame of the first, from no initial guess.
 
@@ -29,8 +34,8 @@ def register_scans(
 
     Parameters
     ----------
-    scans : sequence of array_like, shape (N_i, 3)
-        Points, metres, finite.
+    scans : sequence of array_like, shape (N_i, 3), or paths
+        Points, metres, finite; each as a cloud of ``register_clouds``.
     pairs, frontend, options, tolerance, **keywords
         As for ``register_pairs``.
 
@@ -46,8 +51,9 @@ def register_scans(
 
     Examples
     --------
-    >>> result = register_scans([front, left, back, right])
+    >>> result = register_scans(["front.ply", "left.ply", "back.ply"], voxel_size=0.01)
     >>> result.poses[2]  # frame of the first scan from that of the third
     """
-    edges = register_pairs(scans, pairs, frontend, options, tolerance=tolerance, **keywords)
-    return place_scans(scans, edges)
+    points = as_scans(scans)  # files are read once
+    edges = register_pairs(points, pairs, frontend, options, tolerance=tolerance, **keywords)
+    return place_scans(points, edges)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 
 from ._edge import Edge
 from ._motion import Matrix
@@ -79,3 +80,21 @@ class MultiviewResult:
             names = ", ".join(map(str, component.scans))
             lines.append(f"connected, in the frame of scan {component.scans[0]}: {names}")
         return "\n".join(lines)
+
+    def __str__(self) -> str:
+        return self.summary()
+
+    def _repr_html_(self) -> str:
+        """A table for notebooks: a row an edge, then the groups."""
+        rows = "".join(
+            f"<tr><td>{judged.edge.source} \u2192 {judged.edge.target}</td>"
+            f"<td>{judged.edge.verdict!s}</td>"
+            f"<td>{'accepted' if judged.is_accepted else 'rejected'}</td>"
+            f'<td style="text-align: left">{escape(judged.reason)}</td></tr>'
+            for judged in self.edges
+        )
+        groups = "".join(
+            f"<li>{', '.join(map(str, component.scans))}</li>" for component in self.components
+        )
+        head = "<tr><th>scans</th><th>verdict</th><th>edge</th><th>reason</th></tr>"
+        return f"<table>{head}{rows}</table>In one frame: <ul>{groups}</ul>"

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
-from .._arguments import as_points
+from .._arguments import CloudLike, as_cloud
 from ._motion import Matrix
 
 
-def as_scans(scans: Sequence[npt.ArrayLike]) -> list[Matrix]:
+def as_scans(scans: Sequence[CloudLike]) -> list[Matrix]:
     """(N_i, 3) float64 arrays in C order.
 
     Raises
@@ -21,7 +20,7 @@ def as_scans(scans: Sequence[npt.ArrayLike]) -> list[Matrix]:
     """
     if len(scans) == 0:
         raise ValueError("scans: expected at least one")
-    points = [as_points(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
+    points = [as_cloud(scan, f"scans[{index}]") for index, scan in enumerate(scans)]
     for index, scan in enumerate(points):
         if len(scan) == 0 or not np.isfinite(scan).all():
             raise ValueError(f"scans[{index}]: expected finite points, at least one")

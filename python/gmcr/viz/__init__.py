@@ -68,7 +68,7 @@ def plot(
     _require("plotly")
     from .figures import clouds_figure
 
-    chosen = solver_options(options, **keywords)
+    chosen = _known_options(options, **keywords)
     return clouds_figure(*scene_of_result(result, source, target, chosen, limits))
 
 
@@ -110,7 +110,7 @@ def report(
     _require("plotly")
     from .page import write_page
 
-    chosen = solver_options(options, **keywords)
+    chosen = _known_options(options, **keywords)
     outcome, scene = scene_of_result(result, source, target, chosen, limits)
     write_page(Path(path), outcome, scene, title)
     return Path(path)
@@ -156,7 +156,7 @@ def show(
     _require("viser")
     from .viewer import serve
 
-    chosen = solver_options(options, **keywords)
+    chosen = _known_options(options, **keywords)
     server = serve(*scene_of_result(result, source, target, chosen, limits), host, port)
     if block:
         try:
@@ -164,6 +164,11 @@ def show(
         except KeyboardInterrupt:
             server.stop()
     return server
+
+
+def _known_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options | None:
+    """The options as given; None where nothing is said of them, as defaults would be a guess."""
+    return solver_options(options, **keywords) if options is not None or keywords else None
 
 
 def _require(package: str) -> None:

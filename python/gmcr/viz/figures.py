@@ -9,14 +9,15 @@ import numpy as np
 import numpy.typing as npt
 import plotly.graph_objects as go  # type: ignore[import-untyped]
 
-from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET
-from .outcome import Outcome
-from .scene import Sample, Scene
+from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET, WEAK
+from .outcome import OtherPose, Outcome, WeakDirection
+from .scene import Sample, Scene, weak_segment
 from .words import duration
 
 # Shares of the motion at which the slider stops: each holds a copy of the source.
 _STOPS = (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
 _SOURCE, _TARGET, _INLIERS, _OUTLIERS = range(4)
+_FEW = 3000  # points of a cloud in a small picture
 
 
 def clouds_figure(outcome: Outcome, scene: Scene) -> go.Figure:
@@ -30,7 +31,8 @@ def clouds_figure(outcome: Outcome, scene: Scene) -> go.Figure:
     Returns
     -------
     plotly.graph_objects.Figure
-        Four traces: source, target, inliers, outliers; a click in the legend hides one.
+        Four traces: source, target, inliers, outliers, and one for each motion that the surfaces
+        leave open; a click in the legend hides one.
     """
     end = 1.0 if outcome.has_pose else 0.0
     figure = go.Figure(
@@ -41,16 +43,67 @@ def clouds_figure(outcome: Outcome, scene: Scene) -> go.Figure:
             _lines(scene, scene.outliers, end, scene.outliers.words("outliers"), OUTLIER, 1, 0.5),
         ]
     )
+    for direction in outcome.weak_directions:
+        figure.add_trace(_weak_line(scene, direction))
+    _as_space(figure, 640)
+    if outcome.has_pose:
+        figure.update_layout(sliders=[_slider(scene)])
+    return figure
+
+
+def distances_figure(scene: Scene) -> go.Figure | None:
+    """The source after alignment, each point in the colour of its distance from the target."""
+    if scene.distances is None or not len(scene.distances):
+        return None
+    points = scene.motion.apply(scene.source_cloud[scene.measured.indices]).astype(np.float32)
+    figure = go.Figure(
+        go.Scatter3d(
+            **_xyz(points),
+            mode="markers",
+            marker={
+                "size": _marker_size(len(points)),
+                "color": scene.distances,
+                "colorscale": "Viridis",
+                "cmin": 0,
+                "cmax": float(np.percentile(scene.distances, 95)) or 1.0,
+                "colorbar": {"title": "m", "thickness": 12, "x": 1},
+            },
+            hovertemplate="%{marker.color:.3g} m<extra></extra>",
+        )
+    )
+    return _as_space(figure, 420)
+
+
+def pose_figure(scene: Scene, pose: OtherPose) -> go.Figure:
+    """Both clouds under another pose, without correspondences."""
+    chosen = slice(None, None, max(1, len(scene.source_cloud) // _FEW))
+    moved = scene.moved_by(pose).motion.apply(scene.source_cloud[chosen])
+    others = scene.target_cloud[:: max(1, len(scene.target_cloud) // _FEW)]
+    figure = go.Figure([_points(moved, "source", SOURCE), _points(others, "target", TARGET)])
+    return _as_space(figure, 300).update_layout(showlegend=False)
+
+
+def _as_space(figure: go.Figure, height: int) -> go.Figure:
+    """The layout of a picture in three dimensions."""
     figure.update_layout(
         template="plotly_white",
-        height=640,
+        height=height,
         margin={"l": 0, "r": 0, "t": 0, "b": 0},
         scene={"aspectmode": "data", "camera": {"eye": {"x": 1.1, "y": 1.1, "z": 0.85}}},
         legend={"itemsizing": "constant", "x": 0.01, "y": 0.99, "bgcolor": "rgba(255,255,255,0.7)"},
     )
-    if outcome.has_pose:
-        figure.update_layout(sliders=[_slider(scene)])
     return figure
+
+
+def _weak_line(scene: Scene, direction: WeakDirection) -> go.Scatter3d:
+    return go.Scatter3d(
+        **_xyz(weak_segment(scene, direction)),
+        mode="lines+markers",
+        line={"color": WEAK, "width": 6},
+        marker={"size": 4, "color": WEAK},
+        name=f"left open: {direction.words}",
+        hoverinfo="name",
+    )
 
 
 def residuals_figure(outcome: Outcome, scene: Scene) -> go.Figure:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import CloudResult, Options, Result
+from .motion import angle_axis
 
 
 class Line(NamedTuple):
@@ -30,6 +31,25 @@ class Bounds:
 
 
 @dataclass(frozen=True)
+class OtherPose:
+    """Another pose that much speaks for: ``words`` say how much, and how far away it is."""
+
+    words: str
+    scale: float
+    rotation: npt.NDArray[np.float64]
+    translation: npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class WeakDirection:
+    """A motion that the surfaces leave open: a turn about an axis, or a shift, (3,), unit."""
+
+    words: str
+    turn: npt.NDArray[np.float64]
+    shift: npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
 class Outcome:
     """What a result says.
 
@@ -44,9 +64,19 @@ class Outcome:
     stages : dict
         Stage -> seconds, in order.
     verdict : str or None
-        'trusted', 'doubtful' or 'untrusted', of two clouds.
+        'trusted', 'doubtful' or 'untrusted'.
+    verdict_reason : str
+        One sentence.
     options : dict
-        Option -> value, as used.
+        Option -> value, as given and by default; empty where they are not known.
+    in_use : dict
+        What was chosen from the data or searched, such as the voxel size, in words.
+    others : tuple of OtherPose
+        Alternatives of the matches, then rivals of the surfaces.
+    weak_directions : tuple of WeakDirection
+        What the surfaces of two clouds leave open.
+    is_of_clouds : bool
+        Whether it is of two clouds, whose surfaces meet, rather than of matches alone.
     report : tuple of Line
         The result in words.
     """
@@ -66,7 +96,12 @@ class Outcome:
     instruction_set: str
     version: str
     verdict: str | None
+    verdict_reason: str
     options: dict[str, Any]
+    in_use: dict[str, str]
+    others: tuple[OtherPose, ...]
+    weak_directions: tuple[WeakDirection, ...]
+    is_of_clouds: bool
     report: tuple[Line, ...]
 
     @property
@@ -82,15 +117,15 @@ class Outcome:
         return matrix
 
 
-def outcome_of_result(result: Result | CloudResult, options: Options) -> Outcome:
+def outcome_of_result(result: Result | CloudResult, options: Options | None) -> Outcome:
     """Outcome of a result of ``register_correspondences`` or ``register_clouds``.
 
     Parameters
     ----------
     result : Result or CloudResult
         The result.
-    options : Options
-        Those that it was computed with.
+    options : Options or None
+        Those that it was computed with, where they are known.
 
     Returns
     -------
@@ -130,6 +165,58 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
         instruction_set=fields["isa"],
         version=fields["version"],
         verdict=fields.get("verdict"),
-        options=fields.get("options", {}),
+        verdict_reason=fields.get("verdict_reason", ""),
+        options=fields.get("options") or {},
+        in_use=_in_use(fields),
+        others=_others(fields),
+        weak_directions=tuple(
+            _weak_direction(entry)
+            for entry in fields.get("surfaces", {}).get("weak_directions", ())
+        ),
+        is_of_clouds="fitness" in fields,
         report=tuple(Line(**line) for line in fields["report"]),
     )
+
+
+def _in_use(fields: dict[str, Any]) -> dict[str, str]:
+    """What the result itself knows of how it came about."""
+    known = {}
+    for name in ("voxel_size", "source_voxel_size", "noise_bound"):
+        if fields.get(name):
+            known[name] = f"{fields[name]:.4g} m"
+    if known.get("source_voxel_size") == known.get("voxel_size"):
+        known.pop("source_voxel_size", None)
+    low, high = fields.get("scale_range", (1, 1))
+    known["scale"] = f"known: {low:.6g}" if low == high else f"searched, {low:.4g} to {high:.4g}"
+    if fields.get("num_attempts", 1) > 1:
+        known["settings tried"] = str(fields["num_attempts"])
+    known["threads"] = str(fields["threads"])
+    return known
+
+
+def _others(fields: dict[str, Any]) -> tuple[OtherPose, ...]:
+    others = []
+    for entry in fields.get("alternatives", ()):
+        share = entry["evidence"] / fields["evidence"] if fields["evidence"] else 0
+        said = f"{100 * share:.0f} % of the evidence, {entry['num_inliers']} inliers"
+        others.append(_other(said, entry, fields))
+    for entry in fields.get("rivals", ()):
+        others.append(
+            _other(f"the surfaces meet {100 * entry['overlap']:.0f} % as much", entry, fields)
+        )
+    return tuple(others)
+
+
+def _other(said: str, entry: dict[str, Any], fields: dict[str, Any]) -> OtherPose:
+    rotation, translation = np.array(entry["rotation"]), np.array(entry["translation"])
+    angle, _ = angle_axis(rotation @ np.array(fields["rotation"]).T)
+    away = np.linalg.norm(translation - fields["translation"])
+    said += f"; {np.degrees(angle):.3g} deg and {away:.3g} m away"
+    return OtherPose(said, entry["scale"], rotation, translation)
+
+
+def _weak_direction(entry: dict[str, Any]) -> WeakDirection:
+    turn, shift = np.array(entry["turn"], dtype=float), np.array(entry["shift"], dtype=float)
+    kind, axis = ("a turn about", turn) if turn.any() else ("a shift along", shift)
+    said = ", ".join(f"{value:.2f}" for value in axis)
+    return WeakDirection(f"{kind} ({said})", turn, shift)

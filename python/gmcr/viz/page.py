@@ -9,9 +9,20 @@ import plotly.graph_objects as go  # type: ignore[import-untyped]
 from plotly.offline import get_plotlyjs  # type: ignore[import-untyped]
 
 from . import words
-from .figures import clouds_figure, graph_figure, residuals_figure, stages_figure
-from .outcome import Outcome
+from .figures import (
+    clouds_figure,
+    distances_figure,
+    graph_figure,
+    pose_figure,
+    residuals_figure,
+    stages_figure,
+)
+from .outcome import OtherPose, Outcome
 from .scene import Scene
+
+_MOST_POSES = 4  # side by side
+# pictures are made before the columns of the page have their widths
+_FIT = 'addEventListener("load", () => dispatchEvent(new Event("resize")));'
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #202124; background: #f6f7f9;
@@ -23,10 +34,15 @@ section { background: #fff; border: 1px solid #e0e3e7; border-radius: 8px; paddi
           min-width: 0; }
 .badge { border-radius: 12px; padding: 2px 12px; font-weight: 600; color: #fff; }
 .good { background: #188038; } .fair { background: #b06000; } .bad { background: #c5221f; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px;
+.poses { display: grid; gap: 14px; margin-top: 8px;
+         grid-template-columns: repeat(auto-fit, minmax(min(260px, 100%), 1fr)); }
+.poses figure { margin: 0; min-width: 0; }
+.tiles { display: grid; gap: 14px;
+         grid-template-columns: repeat(auto-fit, minmax(min(210px, 45%), 1fr));
          margin-bottom: 14px; }
 .tile b { display: block; font-size: 19px; }
-.grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(460px, 1fr)); gap: 14px;
+.grid { display: grid; gap: 14px;
+        grid-template-columns: repeat(auto-fit, minmax(min(460px, 100%), 1fr));
         margin-top: 14px; }
 .note { color: #5f6368; font-size: 13px; margin: 6px 0 0; }
 table { border-collapse: collapse; width: 100%; }
@@ -35,6 +51,12 @@ th { text-align: left; font-weight: 500; color: #5f6368; vertical-align: top; wh
 td { padding: 3px 0; overflow-wrap: anywhere; }
 .matrix { font-family: "DejaVu Sans Mono", monospace; font-size: 13px; margin: 10px 0 0;
           overflow-x: auto; }
+.reason { flex-basis: 100%; margin: 0; }
+details { margin-top: 10px; } summary { cursor: pointer; color: #5f6368; }
+@media (max-width: 600px) {
+  body { padding: 12px 10px 30px; } section { padding: 10px 12px; }
+  th { white-space: normal; padding-right: 10px; width: 30%; }
+}
 footer { color: #5f6368; font-size: 13px; margin-top: 16px; }
 """
 
@@ -57,16 +79,18 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
     name = escape(title)
     sections = [
         _clouds(outcome, scene),
+        _other_poses(outcome, scene),
         '<div class="grid">',
         _section("Result", _table(words.result_rows(outcome))),
         _section("Transform, target from source", _pose(outcome)),
+        *_surfaces(outcome, scene),
         _section("Residuals of all correspondences", _residuals(outcome, scene)),
         _section(
             "Consensus graph",
             _draw(graph_figure(scene), "graph") + _note(_sentence(words.agreement(scene))),
         ),
         _section("Time of each stage", _draw(stages_figure(outcome), "stages")),
-        _section("Options", _table(words.option_rows(outcome)) or _note("Not recorded.")),
+        _section("In use", _options(outcome)),
         "</div>",
     ]
     return "\n".join(
@@ -75,11 +99,11 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f'<title>gmcr: {name}</title>\n<link rel="icon" href="data:,">',
             f"<style>{_STYLE}</style>\n<script>{get_plotlyjs()}</script>\n</head>\n<body>",
-            f"<header><h1>{name}</h1>{_badge(outcome)}</header>",
+            f"<header><h1>{name}</h1>{_badge(outcome)}{_reason(outcome)}</header>",
             _tiles(outcome),
             *sections,
             f"<footer>gmcr {escape(outcome.version)}, instruction set "
-            f"{escape(outcome.instruction_set)}</footer>\n</body>\n</html>\n",
+            f"{escape(outcome.instruction_set)}</footer>\n<script>{_FIT}</script>\n</body>\n</html>\n",
         ]
     )
 
@@ -87,6 +111,10 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
 def _badge(outcome: Outcome) -> str:
     line = words.headline(outcome)
     return f'<span class="badge {line.tone}" id="verdict">{escape(line.text)}</span>'
+
+
+def _reason(outcome: Outcome) -> str:
+    return f'<p class="reason" id="reason">{escape(_sentence(words.reason(outcome)))}</p>'
 
 
 def _tiles(outcome: Outcome) -> str:
@@ -118,6 +146,48 @@ def _clouds(outcome: Outcome, scene: Scene) -> str:
     hint = "Drag to turn, scroll to zoom; a click in the legend hides or shows what it names."
     body = _draw(clouds_figure(outcome, scene), "clouds") + _note(f"{notes}. {hint}")
     return _section("Clouds and correspondences", body)
+
+
+def _other_poses(outcome: Outcome, scene: Scene) -> str:
+    """The poses that much speaks for, side by side with the one that is returned."""
+    if not outcome.others or not outcome.has_pose:
+        return ""
+    best = OtherPose("the returned pose", outcome.scale, outcome.rotation, outcome.translation)
+    shown = [best, *outcome.others[: _MOST_POSES - 1]]
+    cells = "".join(
+        f"<figure>{_draw(pose_figure(scene, pose), f'pose{index}')}"
+        f"<figcaption class='note'>{escape(_sentence(pose.words))}</figcaption></figure>"
+        for index, pose in enumerate(shown)
+    )
+    return (
+        '<div class="grid">'
+        + _section("Poses side by side", f'<div class="poses" id="poses">{cells}</div>')
+        + "</div>"
+    )
+
+
+def _surfaces(outcome: Outcome, scene: Scene) -> list[str]:
+    """How far the clouds are apart, and which motions their surfaces leave open."""
+    if not outcome.is_of_clouds or not outcome.has_pose:
+        return []
+    body = _draw(distances_figure(scene), "distances") + _note(words.distances(scene) + ".")
+    return [
+        _section("Distances after alignment", body),
+        _section("What the surfaces determine", _table(words.weak_rows(outcome))),
+    ]
+
+
+def _options(outcome: Outcome) -> str:
+    defaults = words.default_rows(outcome)
+    if not outcome.options:
+        return _table(words.in_use_rows(outcome)) + _note(
+            "The options of the registration were not given to the report."
+        )
+    return (
+        _table(words.in_use_rows(outcome))
+        + f"<details><summary>{len(defaults)} options left as they are</summary>"
+        + f"{_table(defaults)}</details>"
+    )
 
 
 def _pose(outcome: Outcome) -> str:

@@ -17,10 +17,10 @@ def scene_of_result(
     result: Result | CloudResult,
     source: CloudLike,
     target: CloudLike,
-    options: Options,
+    options: Options | None,
     limits: DrawLimits | None,
 ) -> tuple[Outcome, Scene]:
-    """Outcome and scene of a result, the points and the options it was computed with."""
+    """Outcome and scene of a result, its points, and its options where they are known."""
     if not isinstance(result, (Result, CloudResult)):
         raise TypeError(f"result: expected Result or CloudResult, got {type(result).__name__}")
     outcome = outcome_of_result(result, options)
@@ -30,7 +30,7 @@ def scene_of_result(
     if isinstance(result, CloudResult):
         _check_sizes(result, clouds)
         matched = np.asarray(result.matches.source), np.asarray(result.matches.target)
-    bounds = np.asarray(options.noise_bounds, dtype=float)
+    bounds = np.asarray(() if options is None else options.noise_bounds, dtype=float)
     limit = _limit(outcome, bounds if bounds.size else None)
     return outcome, make_scene(outcome, clouds, matched, limit, limits)
 

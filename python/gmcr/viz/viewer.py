@@ -9,9 +9,9 @@ import numpy.typing as npt
 import viser
 
 from . import words
-from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET, rgb
+from .colours import BOUND, INLIER, OUTLIER, SOURCE, TARGET, WEAK, rgb, shades
 from .outcome import Outcome
-from .scene import Sample, Scene
+from .scene import Sample, Scene, weak_segment
 
 # Edges of the consensus graph that are drawn; what is left out is said.
 _MAX_EDGES = 2000
@@ -41,9 +41,11 @@ def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserSe
     server.gui.main_panel.set_width(_PANEL_WIDTH)
     server.gui.add_markdown(_summary(outcome, scene))
     nodes = _add_nodes(server, scene, 1.0 if outcome.has_pose else 0.0, size)
+    _add_weak_directions(server, outcome, scene, nodes)
     if outcome.has_pose:
-        _add_slider(server, scene, nodes)
+        _add_poses(server, outcome, scene, nodes)
     _add_toggles(server, scene, nodes)
+    _add_distances(server, scene, nodes)
     _look_at_target(server, scene, size)
     return server
 
@@ -106,16 +108,63 @@ def _add_nodes(
     return nodes
 
 
-def _add_slider(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
-    slider = server.gui.add_slider("before / after", 0.0, 1.0, 0.01, 1.0)
+def _add_weak_directions(
+    server: viser.ViserServer, outcome: Outcome, scene: Scene, nodes: dict[str, Any]
+) -> None:
+    if not outcome.weak_directions:
+        return
+    segments = [weak_segment(scene, direction) for direction in outcome.weak_directions]
+    nodes["left_open"] = server.scene.add_line_segments(
+        "/left_open",
+        np.array(segments, dtype=np.float32),
+        rgb(WEAK),
+        thickness=4.0,
+        thickness_units="screen",
+    )
 
-    @slider.on_update
+
+def _add_poses(
+    server: viser.ViserServer, outcome: Outcome, scene: Scene, nodes: dict[str, Any]
+) -> None:
+    """The way of the source, and where there are other poses, which one it goes to."""
+    slider = server.gui.add_slider("before / after", 0.0, 1.0, 0.01, 1.0)
+    scenes = {"returned": scene}
+    for index, pose in enumerate(outcome.others, 1):
+        scenes[f"{index}: {pose.words}"] = scene.moved_by(pose)
+    choice = server.gui.add_dropdown("pose", tuple(scenes)) if outcome.others else None
+
     def move(_: object) -> None:
+        chosen = scenes[choice.value] if choice else scene
         share = float(slider.value)
-        nodes["source"].points = scene.motion.apply(scene.source_cloud, share).astype(np.float32)
+        nodes["source"].points = chosen.motion.apply(scene.source_cloud, share).astype(np.float32)
         for name, sample in (("inliers", scene.inliers), ("outliers", scene.outliers)):
             if name in nodes:
-                nodes[name].points = _segments(scene, sample, share)
+                nodes[name].points = _segments(chosen, sample, share)
+
+    slider.on_update(move)
+    if choice:
+        choice.on_update(move)
+
+
+def _add_distances(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
+    """The source in the colours of its distances from the target, after alignment."""
+    if scene.distances is None or not len(scene.distances):
+        return
+    colours = shades(scene.distances, float(np.percentile(scene.distances, 95)))
+    node = server.scene.add_point_cloud(
+        "/distances",
+        scene.motion.apply(scene.source_cloud[scene.measured.indices]).astype(np.float32),
+        colours,
+        point_size=2 * nodes["source"].point_size,
+        precision="float32",
+    )
+    node.visible = False
+    box = server.gui.add_checkbox("distances", False)
+
+    @box.on_update
+    def toggle(_: object) -> None:
+        node.visible = bool(box.value)
+        nodes["source"].visible = not box.value
 
 
 def _add_toggles(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
@@ -148,7 +197,11 @@ def _look_at_target(server: viser.ViserServer, scene: Scene, size: float) -> Non
 
 
 def _summary(outcome: Outcome, scene: Scene) -> str:
-    rows = words.result_rows(outcome) + words.pose_rows(outcome)
+    rows = [(words.headline(outcome).text, words.reason(outcome))]
+    rows += words.result_rows(outcome) + words.pose_rows(outcome)
+    if outcome.is_of_clouds and outcome.has_pose:
+        rows += [*words.weak_rows(outcome), ("distances", words.distances(scene))]
+    rows += words.in_use_rows(outcome)
     rows.append(("consensus graph", words.agreement(scene)))
     lines = [f"**{key}** {text}" if key else text for key, text in rows]
     shown = [*words.drawn(outcome, scene), f"Graph: {_graph_edges(scene)[1].words('edges')}"]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
 
+from .. import Options, register_correspondences
 from .outcome import Line, Outcome
 from .scene import Scene
 
@@ -48,6 +50,14 @@ def headline(outcome: Outcome) -> Line:
     return Line(label, "pose found" if found else outcome.status.replace("_", " "), tone)
 
 
+def reason(outcome: Outcome) -> str:
+    """Why the headline says what it says."""
+    if outcome.status == "ok" and outcome.verdict_reason:
+        return outcome.verdict_reason
+    line = next((line for line in outcome.report if line.label == "status"), None)
+    return line.text if line else outcome.status
+
+
 def pose_rows(outcome: Outcome) -> Rows:
     """The transform: label and text of each line."""
     return _rows(outcome, about_pose=True) or [("pose", "none")]
@@ -58,9 +68,52 @@ def result_rows(outcome: Outcome) -> Rows:
     return _rows(outcome, about_pose=False)
 
 
-def option_rows(outcome: Outcome) -> Rows:
-    """The options that were used: name and value of each."""
-    return [(name, _value(value)) for name, value in outcome.options.items()]
+def in_use_rows(outcome: Outcome) -> Rows:
+    """What was chosen, searched or given: name and value of each."""
+    given = [(name, _value(outcome.options[name])) for name in _given(outcome)]
+    return [*outcome.in_use.items(), *(row for row in given if row[0] not in outcome.in_use)]
+
+
+def default_rows(outcome: Outcome) -> Rows:
+    """The options that were left as they are: name and value of each."""
+    given = _given(outcome)
+    return [
+        (name, _value(value))
+        for name, value in outcome.options.items()
+        if name not in given and name not in outcome.in_use
+    ]
+
+
+def _given(outcome: Outcome) -> list[str]:
+    """Names of the options that are not as they are by default."""
+    nothing = np.empty((0, 3))
+    options = Options(noise_bound=1)  # which has no default
+    defaults = json.loads(register_correspondences(nothing, nothing, options).to_json(options))
+    defaults = defaults["options"] | {"noise_bound": None}
+    return [
+        name
+        for name, value in outcome.options.items()
+        if name not in defaults or defaults[name] != value
+    ]
+
+
+def weak_rows(outcome: Outcome) -> Rows:
+    """What the surfaces determine, and what they leave open."""
+    if not outcome.weak_directions:
+        return [("determined", "all motions: the surfaces leave none open")]
+    return [("left open", direction.words) for direction in outcome.weak_directions]
+
+
+def distances(scene: Scene) -> str:
+    """How far the source lies from the target after alignment."""
+    values = scene.distances
+    if values is None or not len(values):
+        return ""
+    middle, most = np.percentile(values, [50, 95])
+    return (
+        f"Half of the source lies within {middle:.3g} m of a point of the target, 95 % within "
+        f"{most:.3g} m; {len(values):,} points"
+    )
 
 
 def drawn(outcome: Outcome, scene: Scene) -> list[str]:

@@ -74,8 +74,7 @@ Similarity align(SurfaceCloud& source, SurfaceCloud& target, const Samples& samp
     const auto num_agreeing = std::count_if(pairs.pairs.begin(), pairs.pairs.end(),
                                             [](const PlanePair& p) { return p.agreement > 0; });
     if (num_agreeing < kLeastPairs) break;
-    const NormalEquations equations =
-        normal_equations(pairs, kernel_of(pairs, round), rules.num_threads);
+    const NormalEquations equations = normal_equations(pairs, kernel_of(pairs, round));
     Step step = solve(equations, rules.estimates_scale);
     const auto next = admitted_step(step, equations, rules, pose);
     if (!next) break;

@@ -13,11 +13,12 @@ Eigen::Vector3d centroid(const PointsRef& points) {
 
 }  // namespace
 
-CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target_points)
+CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target_points,
+                         double source_spacing, double target_spacing)
     : source_centre_(centroid(source_points)),
       target_centre_(centroid(target_points)),
-      source(source_points, source_centre_),
-      target(target_points, target_centre_) {}
+      source(source_points, source_centre_, source_spacing),
+      target(target_points, target_centre_, target_spacing) {}
 
 Similarity CentredPair::centred(const Similarity& target_from_source) const {
   Similarity pose = target_from_source;

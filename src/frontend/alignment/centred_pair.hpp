@@ -10,7 +10,10 @@ namespace gmcr::frontend {
 class CentredPair {
  public:
   /// @param source, target  3 x N and 3 x M, metres, finite, N and M >= 1.
-  CentredPair(const PointsRef& source, const PointsRef& target);
+  /// @param source_spacing, target_spacing  metres, each in its own frame, > 0: of the points,
+  /// about.
+  CentredPair(const PointsRef& source, const PointsRef& target, double source_spacing,
+              double target_spacing);
 
   /// A pose of the caller's frames between the centred ones, and back.
   Similarity centred(const Similarity& target_from_source) const;

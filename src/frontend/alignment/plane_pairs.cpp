@@ -1,6 +1,6 @@
 #include "frontend/alignment/plane_pairs.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -9,44 +9,50 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr Index kBlock = 512;
+constexpr Index kGrain = 512;
 
 /// 0 at 60 degrees between the normals and more, 1 where they are parallel, whatever their signs.
 double agreement_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::clamp(2 * std::abs(a.dot(b)) - 1, 0.0, 1.0);
 }
 
-Eigen::Matrix3d information_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const Eigen::Matrix3d covariance =
-      2 * Eigen::Matrix3d::Identity() - (1 - kFlatness) * (a * a.transpose() + b * b.transpose());
-  return 2 * kFlatness * covariance.inverse();
+/// Inverse of the sum of the covariances of two plane patches, each (1, 1, kFlatness along its
+/// normal), in units in which two parallel patches weigh 1 along their normal: with a and b the
+/// normals,  isotropic I + sum (a + b)(a + b)' + difference (a - b)(a - b)'.
+///
+/// a + b, a - b and a x b are eigenvectors of  2 I - (1 - f)(a a' + b b'),  with the eigenvalues
+/// 2 - (1 - f)(1 + a b), 2 - (1 - f)(1 - a b) and 2.
+struct Information {
+  static constexpr double isotropic = kFlatness;
+  double sum, difference;
+
+  explicit Information(double cosine) : sum(share(1 + cosine)), difference(share(1 - cosine)) {}
+
+  static double share(double eigenvalue) {
+    return kFlatness * (1 - kFlatness) / (4 - 2 * (1 - kFlatness) * eigenvalue);
+  }
+};
+
+double squared_distance_of(const PlanePair& pair) {
+  const Information information(pair.normal.dot(pair.moved_normal));
+  const double a = pair.residual.dot(pair.moved_normal), b = pair.residual.dot(pair.normal);
+  return Information::isotropic * pair.residual.squaredNorm() +
+         information.sum * (a + b) * (a + b) + information.difference * (a - b) * (a - b);
 }
 
 double weight_of(const PlanePair& pair, double kernel) {
-  const double ratio = kernel * kernel / (kernel * kernel + pair.squared_distance());
+  const double ratio = kernel * kernel / (kernel * kernel + pair.squared_distance);
   return pair.agreement * ratio * ratio;
 }
 
-/// What body(begin, end) gives for blocks of a fixed size, added up in their order.
-template <class Sum, class Body>
-Sum sum_in_blocks(Index count, int num_threads, const Sum& zero, const Body& body) {
-  std::vector<Sum> partial(static_cast<std::size_t>((count + kBlock - 1) / kBlock), zero);
-  parallel::parallel_for(count, kBlock, num_threads, [&](Index begin, Index end) {
-    partial[static_cast<std::size_t>(begin / kBlock)] = body(begin, end);
-  });
-  Sum total = zero;
-  for (const Sum& part : partial) total += part;
-  return total;
-}
+using Step = Eigen::Matrix<double, 7, 1>;
 
-/// Motion of a point at `arm` from the pivot, by each of the seven parameters in metres.
-Eigen::Matrix<double, 3, 7> motion_of(const Eigen::Vector3d& arm, double lever) {
-  const Eigen::Vector3d a = arm / lever;
-  Eigen::Matrix<double, 3, 7> motion;
-  motion << 0, a.z(), -a.y(), 1, 0, 0, a.x(),  //
-      -a.z(), 0, a.x(), 0, 1, 0, a.y(),        //
-      a.y(), -a.x(), 0, 0, 0, 1, a.z();
-  return motion;
+/// Change of  n . x  with each of the seven parameters in metres, of a point at `arm` levers from
+/// the pivot.
+Step along(const Eigen::Vector3d& n, const Eigen::Vector3d& arm) {
+  Step step;
+  step << arm.cross(n), n, arm.dot(n);
+  return step;
 }
 
 }  // namespace
@@ -81,20 +87,24 @@ PlanePairs find_pairs(SurfaceCloud& source, SurfaceCloud& target, const Samples&
 
   PlanePairs result;
   result.num_sought = count;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    if (found[k] < 0) continue;
-    const Index i = samples.of_source ? samples.columns[k] : found[k];
-    const Index j = samples.of_source ? found[k] : samples.columns[k];
-    const Eigen::Vector3d moved_normal = pose.rotation * source.normal(i);
-    const Eigen::Vector3d normal = target.normal(j);
-    if (moved_normal.isZero(0) || normal.isZero(0)) continue;
-    PlanePair& pair = result.pairs.emplace_back();
-    pair.moved = pose * source.point(i);
-    pair.residual = pair.moved - target.point(j);
-    pair.normal = normal;
-    pair.information = information_of(moved_normal, normal);
-    pair.agreement = agreement_of(moved_normal, normal);
-  }
+  result.pairs.resize(found.size());
+  parallel::parallel_for(count, kGrain, num_threads, [&](Index begin, Index end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      PlanePair& pair = result.pairs[k];
+      pair.normal.setZero();
+      if (found[k] < 0) continue;
+      const Index i = samples.of_source ? samples.columns[k] : found[k];
+      const Index j = samples.of_source ? found[k] : samples.columns[k];
+      pair.moved_normal = pose.rotation * source.normal(i);
+      if (pair.moved_normal.isZero(0)) continue;
+      pair.normal = target.normal(j);
+      pair.moved = pose * source.point(i);
+      pair.residual = pair.moved - target.point(j);
+      pair.agreement = agreement_of(pair.moved_normal, pair.normal);
+      pair.squared_distance = squared_distance_of(pair);
+    }
+  });
+  std::erase_if(result.pairs, [](const PlanePair& pair) { return pair.normal.isZero(0); });
   return result;
 }
 
@@ -102,7 +112,7 @@ double estimate_noise(const PlanePairs& pairs) {
   constexpr double kNormalDeviation = 1.4826;  // of a normal distribution, over its median size
   std::vector<double> squared;
   for (const PlanePair& pair : pairs.pairs) {
-    if (pair.agreement > 0) squared.push_back(pair.squared_distance());
+    if (pair.agreement > 0) squared.push_back(pair.squared_distance);
   }
   if (squared.empty()) return 0;
   const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
@@ -113,48 +123,59 @@ double estimate_noise(const PlanePairs& pairs) {
 double mean_cost(const PlanePairs& pairs, double kernel) {
   double saved = 0;
   for (const PlanePair& pair : pairs.pairs) {
-    saved += pair.agreement * kernel * kernel / (kernel * kernel + pair.squared_distance());
+    saved += pair.agreement * kernel * kernel / (kernel * kernel + pair.squared_distance);
   }
   return 1 - saved / static_cast<double>(pairs.num_sought);
 }
 
-NormalEquations normal_equations(const PlanePairs& pairs, double kernel, int num_threads) {
-  using Sums = Eigen::Matrix<double, 7, 8>;
-  using Moments = Eigen::Matrix<double, 5, 1>;  // weight, weighted point, weighted square
-  const std::vector<PlanePair>& all = pairs.pairs;
-  const auto count = static_cast<Index>(all.size());
-  const Moments moments =
-      sum_in_blocks(count, num_threads, Moments(Moments::Zero()), [&](Index begin, Index end) {
-        Moments sum = Moments::Zero();
-        for (Index k = begin; k < end; ++k) {
-          const PlanePair& pair = all[static_cast<std::size_t>(k)];
-          const double weight = weight_of(pair, kernel);
-          sum[0] += weight;
-          sum.segment<3>(1) += weight * pair.moved;
-          sum[4] += weight * pair.moved.squaredNorm();
-        }
-        return sum;
-      });
+NormalEquations normal_equations(const PlanePairs& pairs, double kernel) {
   NormalEquations equations;
-  equations.weight = moments[0];
-  equations.pivot = moments.segment<3>(1) / moments[0];
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  double second = 0;
+  for (const PlanePair& pair : pairs.pairs) {
+    const double weight = weight_of(pair, kernel);
+    equations.weight += weight;
+    first += weight * pair.moved;
+    second += weight * pair.moved.squaredNorm();
+  }
+  equations.pivot = first / equations.weight;
   equations.lever =
-      std::sqrt(std::max(moments[4] / moments[0] - equations.pivot.squaredNorm(), 1e-300));
-  const Sums sums =
-      sum_in_blocks(count, num_threads, Sums(Sums::Zero()), [&](Index begin, Index end) {
-        Sums sum = Sums::Zero();
-        for (Index k = begin; k < end; ++k) {
-          const PlanePair& pair = all[static_cast<std::size_t>(k)];
-          const auto motion = motion_of(pair.moved - equations.pivot, equations.lever);
-          const Eigen::Matrix<double, 7, 3> weighted =
-              motion.transpose() * (weight_of(pair, kernel) * pair.information);
-          sum.leftCols<7>() += weighted * motion;
-          sum.col(7) += weighted * pair.residual;
-        }
-        return sum;
-      });
-  equations.matrix = sums.leftCols<7>();
-  equations.gradient = sums.col(7);
+      std::sqrt(std::max(second / equations.weight - equations.pivot.squaredNorm(), 1e-300));
+
+  // moments of the arms for the isotropic part, and the parts along the normals
+  double weights = 0;
+  Eigen::Vector3d arms = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 7, 7>& matrix = equations.matrix;
+  matrix.setZero();
+  equations.gradient.setZero();
+  for (const PlanePair& pair : pairs.pairs) {
+    const double weight = weight_of(pair, kernel);
+    if (weight == 0) continue;
+    const Eigen::Vector3d arm = (pair.moved - equations.pivot) / equations.lever;
+    const Information information(pair.normal.dot(pair.moved_normal));
+    const Eigen::Vector3d sum = pair.moved_normal + pair.normal;
+    const Eigen::Vector3d difference = pair.moved_normal - pair.normal;
+    const Step by_sum = along(sum, arm), by_difference = along(difference, arm);
+    const double isotropic = weight * Information::isotropic;
+    const Step of_sum = (weight * information.sum) * by_sum;
+    const Step of_difference = (weight * information.difference) * by_difference;
+    weights += isotropic;
+    arms += isotropic * arm;
+    squares += isotropic * arm * arm.transpose();
+    matrix += of_sum * by_sum.transpose() + of_difference * by_difference.transpose();
+    equations.gradient += isotropic * along(pair.residual, arm) + of_sum * pair.residual.dot(sum) +
+                          of_difference * pair.residual.dot(difference);
+  }
+  Eigen::Matrix3d cross;  // arms x
+  cross << 0, -arms.z(), arms.y(), arms.z(), 0, -arms.x(), -arms.y(), arms.x(), 0;
+  matrix.topLeftCorner<3, 3>() += squares.trace() * Eigen::Matrix3d::Identity() - squares;
+  matrix.block<3, 3>(0, 3) += cross;
+  matrix.block<3, 3>(3, 0) += cross.transpose();
+  matrix.block<3, 3>(3, 3) += weights * Eigen::Matrix3d::Identity();
+  matrix.block<3, 1>(3, 6) += arms;
+  matrix.block<1, 3>(6, 3) += arms.transpose();
+  matrix(6, 6) += squares.trace();
   return equations;
 }
 

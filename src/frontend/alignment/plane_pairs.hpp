@@ -10,17 +10,14 @@ namespace gmcr::frontend {
 
 /// A point of the source, moved, and the point of the target that it is taken to meet.
 struct PlanePair {
-  Eigen::Vector3d moved;     ///< metres, about the centre of the target
-  Eigen::Vector3d residual;  ///< moved - target point
-  Eigen::Vector3d normal;    ///< of the target, unit
-  /// Inverse of the sum of the two covariances, each that of a plane patch (1, 1, kFlatness along
-  /// its normal), in units in which two parallel patches weigh 1 along their normal.
-  Eigen::Matrix3d information;
-  double agreement = 0;  ///< of the normals, in [0, 1]; 0: the pair says nothing
-
-  /// Squared distance of the two patches, metres^2: for parallel ones that of their planes, and
-  /// kFlatness times that along them.
-  double squared_distance() const { return residual.dot(information * residual); }
+  Eigen::Vector3d moved;         ///< metres, about the centre of the target
+  Eigen::Vector3d residual;      ///< moved - target point
+  Eigen::Vector3d normal;        ///< of the target, unit
+  Eigen::Vector3d moved_normal;  ///< of the source, unit
+  double agreement = 0;          ///< of the normals, in [0, 1]; 0: the pair says nothing
+  /// Of the two patches, metres^2: for parallel ones that of their planes, and kFlatness times that
+  /// along them.
+  double squared_distance = 0;
 };
 
 /// Variance of a plane patch along its normal over that along the plane (Segal et al. 2009, who
@@ -42,14 +39,13 @@ struct Samples {
 /// At most `max_count` points of one side, by a fixed stride.
 Samples sample_side(const SurfaceCloud& cloud, bool of_source, Index max_count);
 
-/// The same of the cloud that has fewer: more of it is
-/// covered.
+/// The same of the cloud that has fewer: more of it is covered.
 Samples choose_samples(const SurfaceCloud& source, const SurfaceCloud& target, Index max_count);
 
 /// Pairs each sample with its nearest point on the other side, after the pose.
 /// @param pose    between the centred frames of the two clouds.
 /// @param radius  metres, target frame: farther ones are no pair.
-/// Cost O(samples log N). Deterministic for any thread count.
+/// Cost O(samples). Deterministic for any thread count.
 PlanePairs find_pairs(SurfaceCloud& source, SurfaceCloud& target, const Samples& samples,
                       const Similarity& pose, double radius, int num_threads);
 
@@ -72,8 +68,8 @@ struct NormalEquations {
 };
 
 /// Gauss-Newton with the weights (kernel^2 / (kernel^2 + e^2))^2 of Geman and McClure, times the
-/// agreement of the normals. Summed in blocks of a fixed size, one after the other.
+/// agreement of the normals. Summed one after the other.
 /// @param pairs  at least one whose agreement is above 0.
-NormalEquations normal_equations(const PlanePairs& pairs, double kernel, int num_threads);
+NormalEquations normal_equations(const PlanePairs& pairs, double kernel);
 
 }  // namespace gmcr::frontend

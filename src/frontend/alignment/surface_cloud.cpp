@@ -1,8 +1,11 @@
 #include "frontend/alignment/surface_cloud.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "parallel/parallel_for.hpp"
 
@@ -14,26 +17,39 @@ namespace {
 constexpr std::size_t kPlanePoints = 10;
 /// Share of the spread along the longest axis below which the middle one counts as none.
 constexpr double kLineTolerance = 1e-6;
+/// Spacings: reach of the grid, a little above the widest search of an alignment. A disc of it has
+/// about 28 points.
+constexpr double kReach = 3.05;
+
+/// How much farther each grid reaches than the one before, for points that have few nearby.
+constexpr double kFarther = 3;
 
 }  // namespace
 
-SurfaceCloud::SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre)
-    : points_(std::make_unique<const Points>(points.colwise() - centre)),
-      view_(std::make_unique<const PointsRef>(*points_)),
-      adaptor_{*view_},
-      tree_(std::make_unique<const KdTree>(3, adaptor_)),
+SurfaceCloud::SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre, double spacing)
+    : points_(points.colwise() - centre),
       normals_(Points::Zero(3, points.cols())),
-      is_known_(static_cast<std::size_t>(points.cols()), 0) {}
+      is_known_(static_cast<std::size_t>(points.cols()), 0) {
+  grids_.emplace_back(points_, kReach * spacing);
+}
 
-std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius,
-                                         int num_threads) const {
+std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius, int num_threads) {
+  if (radius > grids_.front().reach()) {
+    grids_.clear();
+    grids_.emplace_back(points_, radius);
+  }
+  const PointGrid& grid = grids_.front();
+  const kernels::PointColumns columns = grid.columns();
+  // a point at the radius itself is one
+  const double squared_radius =
+      std::nextafter(radius * radius, std::numeric_limits<double>::infinity());
   std::vector<Index> found(static_cast<std::size_t>(queries.cols()), -1);
-  parallel::parallel_for(queries.cols(), 256, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(queries.cols(), 512, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
-      std::int32_t index = 0;
-      double squared_distance = 0;
-      tree_->knnSearch(queries.col(i).data(), 1, &index, &squared_distance);
-      if (squared_distance <= radius * radius) found[static_cast<std::size_t>(i)] = index;
+      const double* query = queries.col(i).data();
+      const kernels::NearestPoint nearest =
+          kernels::nearest_point(columns, grid.runs_about(query), query, squared_radius);
+      if (nearest.index >= 0) found[static_cast<std::size_t>(i)] = grid.point(nearest.index);
     }
   });
   return found;
@@ -46,29 +62,60 @@ void SurfaceCloud::require_normals(const std::vector<Index>& columns, int num_th
     is_known_[static_cast<std::size_t>(column)] = 1;
     missing.push_back(column);
   }
-  parallel::parallel_for(static_cast<Index>(missing.size()), 64, num_threads,
-                         [&](Index begin, Index end) {
-                           for (Index k = begin; k < end; ++k) {
-                             const Index column = missing[static_cast<std::size_t>(k)];
-                             normals_.col(column) = estimate_normal(column);
-                           }
-                         });
+  for (std::size_t level = 0; !missing.empty(); ++level) {
+    if (level == grids_.size()) grids_.emplace_back(points_, kFarther * grids_.back().reach());
+    std::vector<char> is_left(missing.size(), 0);
+    parallel::parallel_for(
+        static_cast<Index>(missing.size()), 256, num_threads, [&](Index begin, Index end) {
+          Found found;
+          for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+            const auto normal = estimate_normal(grids_[level], missing[k], found);
+            is_left[k] = !normal;
+            if (normal) normals_.col(missing[k]) = *normal;
+          }
+        });
+    std::vector<Index> left;
+    for (std::size_t k = 0; k < missing.size(); ++k) {
+      if (is_left[k]) left.push_back(missing[k]);
+    }
+    missing = std::move(left);
+  }
 }
 
-Eigen::Vector3d SurfaceCloud::estimate_normal(Index i) const {
-  std::array<std::int32_t, kPlanePoints> indices;
-  std::array<double, kPlanePoints> squared_distances;
-  const std::size_t count = tree_->knnSearch(points_->col(i).data(), kPlanePoints, indices.data(),
-                                             squared_distances.data());
-  if (count < 3) return Eigen::Vector3d::Zero();
+std::optional<Eigen::Vector3d> SurfaceCloud::estimate_normal(const PointGrid& grid, Index i,
+                                                             Found& found) const {
+  const double* query = points_.col(i).data();
+  const auto runs = grid.runs_about(query);
+  const auto room =
+      static_cast<std::size_t>(PointGrid::num_points(runs) + kernels::NearPoints::kSlack);
+  if (room > found.slots.size()) {
+    found.slots.resize(room);
+    found.squared_distances.resize(room);
+  }
+  const auto count = static_cast<std::size_t>(
+      kernels::near_points(grid.columns(), runs, query, grid.reach() * grid.reach(),
+                           {found.slots.data(), found.squared_distances.data()}));
+  const auto wanted = std::min(kPlanePoints, static_cast<std::size_t>(size()));
+  if (count < wanted) return std::nullopt;
+  if (wanted < 3) return Eigen::Vector3d::Zero();
+  // the nearest so far, in order; of those that tie the first found
+  std::array<std::pair<double, std::int64_t>, kPlanePoints> nearest;
+  std::size_t num_nearest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double squared = found.squared_distances[k];
+    if (num_nearest == wanted && squared >= nearest[wanted - 1].first) continue;
+    std::size_t at = num_nearest < wanted ? num_nearest++ : wanted - 1;
+    for (; at > 0 && nearest[at - 1].first > squared; --at) nearest[at] = nearest[at - 1];
+    nearest[at] = {squared, found.slots[k]};
+  }
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d outer = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < count; ++k) {
-    const Eigen::Vector3d offset = points_->col(indices[k]) - points_->col(i);
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const Eigen::Vector3d offset = points_.col(grid.point(nearest[k].second)) - points_.col(i);
     sum += offset;
     outer += offset * offset.transpose();
   }
-  const auto total = static_cast<double>(count);
+  const auto total = static_cast<double>(wanted);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(outer / total - sum * sum.transpose() / (total * total));
   const Eigen::Vector3d spread = solver.eigenvalues();

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "frontend/kd_tree.hpp"
+#include "frontend/point_grid.hpp"
 #include "gmcr/types.hpp"
 
 namespace gmcr::frontend {
@@ -13,36 +14,44 @@ namespace gmcr::frontend {
 class SurfaceCloud {
  public:
   /// @param points  3 x N, metres, finite, N >= 1, N < 2^31.
-  /// @param centre  metres: what is subtracted from them, so that no digit is lost far from 0.
-  /// Cost O(N log N).
-  SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre);
+  /// @param centre   metres: what is subtracted from them, so that no digit is lost far from 0.
+  /// @param spacing  metres, > 0: of the points, about.
+  /// Cost O(N).
+  SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre, double spacing);
 
-  Index size() const { return points_->cols(); }
-  Eigen::Vector3d point(Index i) const { return points_->col(i); }
+  Index size() const { return points_.cols(); }
+  Eigen::Vector3d point(Index i) const { return points_.col(i); }
 
-  const Points& points() const { return *points_; }
+  const Points& points() const { return points_; }
 
   /// Column of the point nearest to each query that has one within `radius` metres, else -1.
   /// @param queries  3 x M, metres, about the centre.
-  /// Cost O(M log N). Deterministic for any thread count.
-  std::vector<Index> nearest(const PointsRef& queries, double radius, int num_threads) const;
+  /// Cost O(M) for radii of up to three spacings. Deterministic for any thread count.
+  std::vector<Index> nearest(const PointsRef& queries, double radius, int num_threads);
 
   /// Makes the normals of these points known: unit, of arbitrary sign; 0 where the nearest points
   /// span no surface.
   /// @param columns  any order; -1 is skipped.
-  /// Cost O(K log N) for the K that are not known yet. Deterministic for any thread count.
+  /// Cost O(K) for the K that are not known yet, and O(N) where some have few points nearby.
+  /// Deterministic for any thread count.
   void require_normals(const std::vector<Index>& columns, int num_threads);
 
   /// That of a point that was required.
   Eigen::Vector3d normal(Index i) const { return normals_.col(i); }
 
  private:
-  Eigen::Vector3d estimate_normal(Index i) const;
+  /// Room for what a search finds.
+  struct Found {
+    std::vector<std::int64_t> slots;
+    std::vector<double> squared_distances;
+  };
 
-  std::unique_ptr<const Points> points_;  // at an address that the tree may keep
-  std::unique_ptr<const PointsRef> view_;
-  KdTreePoints adaptor_;
-  std::unique_ptr<const KdTree> tree_;
+  /// The normal from the nearest points within the reach of a grid; nullopt where these are few.
+  std::optional<Eigen::Vector3d> estimate_normal(const PointGrid& grid, Index i,
+                                                 Found& found) const;
+
+  Points points_;
+  std::vector<PointGrid> grids_;  ///< each reaches farther than the one before
   Points normals_;
   std::vector<char> is_known_;
 };

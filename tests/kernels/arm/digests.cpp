@@ -15,7 +15,10 @@
 #include "kernels/branch_choice.hpp"
 #include "kernels/consistency_row.hpp"
 #include "kernels/consistency_tiles.hpp"
+#include "kernels/descriptor_distances.hpp"
+#include "kernels/near_points.hpp"
 #include "kernels/nearest_features.hpp"
+#include "kernels/pair_angles.hpp"
 #include "kernels/residuals.hpp"
 #include "kernels/rotation_row.hpp"
 #include "kernels/scale_row.hpp"
@@ -217,6 +220,73 @@ void digest_features(Random& random) {
   digest.print("nearest_features");
 }
 
+void digest_points(Random& random) {
+  constexpr std::int32_t kCount = 150;
+  const Eigen::MatrixX3d points = random.points(kCount + kernels::PointColumns::kPadding);
+  const Eigen::MatrixX3d normals = random.points(kCount).rowwise().normalized();
+  const kernels::PointColumns columns{points.col(0).data(), points.col(1).data(),
+                                      points.col(2).data()};
+  const kernels::PointRun runs[] = {{0, 13}, {15, 15}, {20, 90}, {91, kCount}};
+  std::vector<std::int64_t> found(kCount + kernels::NearPoints::kSlack);
+  std::vector<double> squared_distances(found.size());
+  Digest near, angles, sums;
+  for (Index i = 0; i < kCount; ++i) {
+    const Eigen::Vector3d query = points.row(i);
+    const Index count = kernels::near_points(columns, runs, query.data(), 0.5,
+                                             {found.data(), squared_distances.data()});
+    std::vector<std::int32_t> neighbours;
+    std::vector<float> weights;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      near.add(static_cast<std::uint64_t>(found[k]));
+      near.add(squared_distances[k]);
+      neighbours.push_back(static_cast<std::int32_t>(found[k]));
+      weights.push_back(static_cast<float>(squared_distances[k]));
+    }
+    const Eigen::Vector3d beside = query.array() + 0.1;
+    const auto nearest = kernels::nearest_point(columns, runs, beside.data(), 0.5);
+    near.add(static_cast<std::uint64_t>(nearest.index));
+    near.add(nearest.squared_distance);
+    std::int32_t counts[kernels::kPairAngles * kernels::kAngleRow] = {};
+    kernels::count_pair_angles({columns.x, columns.y, columns.z, normals.col(0).data(),
+                                normals.col(1).data(), normals.col(2).data()},
+                               i, neighbours.data(), count, counts);
+    for (const std::int32_t number : counts) angles.add(static_cast<std::uint64_t>(number));
+    std::vector<float> histograms(static_cast<std::size_t>(kCount * kernels::kHistogramStride));
+    for (std::size_t k = 0; k < histograms.size(); ++k) {
+      histograms[k] = static_cast<float>(k % 101) / 7;
+    }
+    float sum[kernels::kHistogramStride];
+    kernels::add_histograms(histograms.data(), neighbours.data(), weights.data(), count, sum);
+    for (const float value : sum) sums.add(static_cast<double>(value));
+  }
+  near.print("near_points");
+  angles.print("pair_angles");
+  sums.print("add_histograms");
+}
+
+void digest_descriptors(Random& random) {
+  constexpr Index kValues = 33, kCount = 70;
+  using kernels::GroupedDescriptors;
+  const auto value = [&] { return static_cast<float>(random.uniform(-1, 1)); };
+  const GroupedDescriptors<float> floats(kValues, kCount, [&](Index, Index) { return value(); });
+  const GroupedDescriptors<std::uint64_t> words(kValues, kCount,
+                                                [&](Index, Index) { return random.word(); });
+  std::vector<float> query(kValues);
+  std::vector<std::uint64_t> query_words(kValues);
+  std::vector<float> distances(
+      static_cast<std::size_t>(GroupedDescriptors<float>::kGroup * floats.num_groups()));
+  Digest digest;
+  for (int k = 0; k < 20; ++k) {
+    for (float& v : query) v = value();
+    for (std::uint64_t& v : query_words) v = random.word();
+    kernels::squared_distances(floats, query.data(), distances.data());
+    for (const float distance : distances) digest.add(static_cast<double>(distance));
+    kernels::hamming_distances(words, query_words.data(), distances.data());
+    for (const float distance : distances) digest.add(static_cast<double>(distance));
+  }
+  digest.print("descriptor_distances");
+}
+
 }  // namespace
 
 int main() {
@@ -234,4 +304,6 @@ int main() {
   digest_bits(random);
   digest_branches(random);
   digest_features(random);
+  digest_points(random);
+  digest_descriptors(random);
 }

@@ -1,6 +1,6 @@
 """Scans of the Stanford bunny, from no initial guess, to one cloud and a picture.
 
-05_multiview.py [--output FOLDER] [--views VIEW ...]
+10_multiview.py [--output FOLDER] [--views VIEW ...]
 
 The scans are those of the Stanford 3D Scanning Repository, in $GMCR_DATA/stanford_scans: by default
 four, 90 degrees apart. Every pair is registered. Views from opposite sides hardly overlap, and

@@ -1,4 +1,4 @@
-"""Pose from learned matches: 03_learned_matches.py [MATCHES.npz].
+"""Pose from learned matches: 08_learned_matches.py [MATCHES.npz].
 
 The file holds keypoints_source (P, 3), keypoints_target (Q, 3), matches (M, 2) indices of both, and
 confidences (M,) in [0, 1]. Surer matches localise better, so each gets a noise bound of its own.

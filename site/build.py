@@ -1,0 +1,157 @@
+"""Builds the site of the documentation: site/build.py [--out FOLDER] [--tool GMCR].
+
+Gathers the pages of docs/, makes the references from the source, and runs mkdocs, for which a link
+that leads nowhere is an error. The pages need no network. ``pip install '.[docs]'`` brings what it
+needs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import gmcr
+from cpp_reference import reference as cpp_reference
+
+ROOT = Path(__file__).resolve().parents[1]
+COMMANDS = ("register", "solve", "match", "clique", "synth", "eval", "info", "manual", "completion")
+SUMMARY = ROOT / "BENCHMARK.md"  # beside docs/, but a page of the site
+_ARRAY = re.compile(r"(?<!\])\[(\d+|6 or 7|)\]\[([^\]]*)\]")  # "[3][3]", no link
+_LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
+
+
+def gather(docs: Path, pages: Path) -> None:
+    """Copies the pages; a link to a file outside of docs/ becomes the name of that file."""
+    shutil.copytree(docs, pages)
+    for page in pages.rglob("*.md"):
+        folder = (docs / page.relative_to(pages)).parent
+
+        def inside(link: re.Match[str], folder: Path = folder, page: Path = page) -> str:
+            target = link[2].partition("#")[0]
+            if not target or "://" in target:
+                return link[0]
+            path = (folder / target).resolve()
+            if path.is_relative_to(docs) and path.is_file():
+                return link[0]
+            if path == SUMMARY:
+                return f"[{link[1]}]({os.path.relpath(pages / SUMMARY.name, page.parent)})"
+            if not path.exists():
+                raise FileNotFoundError(f"{page.name}: {link[2]} leads nowhere")
+            return f"`{path.relative_to(ROOT)}`" if link[1].startswith("`") else link[1]
+
+        text = _ARRAY.sub(r"\\[\1\\]\\[\2\\]", page.read_text())
+        page.write_text(_LINK.sub(inside, text))
+    (pages / SUMMARY.name).write_text(SUMMARY.read_text().replace("](docs/", "]("))
+
+
+def command_line(tool: Path) -> str:
+    """The page of the tool: its help, command by command."""
+    parts = ["# Command line", "What `gmcr COMMAND --help` prints, and `man gmcr`."]
+    for command in ("", *COMMANDS):
+        done = subprocess.run(
+            [tool, *command.split(), "--help"], capture_output=True, text=True, check=True
+        )
+        name = f"gmcr {command}".strip()
+        parts += [f"## {name}", f"```text\n{done.stdout.strip()}\n```"]
+    return "\n\n".join(parts) + "\n"
+
+
+def options() -> str:
+    """The page of the options: every field, what it means, its unit, range and default."""
+    parts = [
+        "# Options",
+        "An option has one name everywhere: `time_limit` in C++, Python and JSON, `--time-limit` "
+        "on the command line. Made from the table that all of them are made from.",
+    ]
+    for kind in (
+        gmcr.Options, gmcr.FrontendOptions, gmcr.InstanceOptions, gmcr.GravityPrior,
+        gmcr.InitialPose, gmcr.CliqueOptions, gmcr.WeightedCliqueOptions, gmcr.SyntheticOptions,
+    ):  # fmt: skip
+        rows = ["| option | meaning | default |", "|---|---|---|"]
+        for name, value in _fields(kind):
+            meaning = (getattr(kind, name).__doc__ or "").replace("|", "\\|").replace("\n", " ")
+            rows.append(f"| `{name}` | {meaning} | {value} |")
+        parts += [f"## {kind.__name__}", "\n".join(rows)]
+    return "\n\n".join(parts) + "\n"
+
+
+def _fields(kind: type[Any]) -> list[tuple[str, str]]:
+    """Names and defaults; what has to be given has none."""
+    try:
+        defaults = kind()
+    except (TypeError, ValueError):
+        names = [name for name, value in vars(kind).items() if isinstance(value, property)]
+        return [(name, "") for name in names]
+    names = [name for name in dir(kind) if isinstance(getattr(kind, name), property)]
+    state = defaults.__getstate__() if hasattr(defaults, "__getstate__") else {}
+    order = [name for name in state if name in names] if isinstance(state, dict) else names
+    return [(name, _default(getattr(defaults, name))) for name in order or names]
+
+
+def _default(value: object) -> str:
+    text = "" if value is None else str(value)
+    if text in ("18446744073709551615", "inf"):
+        return "no limit"
+    return f"`{text}`" if text and text != "[]" else ""
+
+
+def python_reference(pages: Path) -> None:
+    """The pages of the Python package, which mkdocstrings fills in."""
+    names = "\n".join(
+        f"## {name}\n\n::: gmcr.{name}\n    options:\n      heading_level: 3\n"
+        for name in gmcr.__all__
+        if name not in ("__version__", "CloudLike", "PointsLike", "PoseLike")
+    )
+    modules = "\n".join(
+        f"## gmcr.{name}\n\n::: gmcr.{name}\n    options:\n      heading_level: 3\n"
+        for name in ("io", "viz", "multiview", "batch")
+    )
+    (pages / "reference/python.md").write_text(
+        f"# Python reference\n\nMade from the docstrings.\n\n{names}\n{modules}"
+    )
+
+
+def build(out: Path, tool: Path) -> Path:
+    """Builds the site.
+
+    Returns
+    -------
+    Path
+        Its folder of HTML.
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    pages = out / "pages"
+    out.mkdir(parents=True)
+    gather(ROOT / "docs", pages)
+    (pages / "reference").mkdir()
+    (pages / "reference/cli.md").write_text(command_line(tool))
+    (pages / "reference/options.md").write_text(options())
+    (pages / "reference/cpp.md").write_text(cpp_reference(ROOT / "include/gmcr"))
+    python_reference(pages)
+    (out / "package").symlink_to(Path(gmcr.__file__).parents[1])
+    shutil.copy(ROOT / "site/mkdocs.yml", out)
+    done = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "--strict"],
+        cwd=out, capture_output=True, text=True,
+    )  # fmt: skip
+    if done.returncode:
+        raise RuntimeError(done.stdout + done.stderr)
+    return out / "html"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=ROOT / "build/site")
+    parser.add_argument("--tool", type=Path, default=ROOT / "build/release/bin/gmcr")
+    given = parser.parse_args()
+    print(build(given.out.resolve(), given.tool.resolve()) / "index.html")
+
+
+if __name__ == "__main__":
+    main()

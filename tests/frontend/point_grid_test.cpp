@@ -1,0 +1,121 @@
+#include "frontend/point_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "frontend/alignment/surface_cloud.hpp"
+#include "frontend/cell_order.hpp"
+#include "frontend/shapes.hpp"
+
+namespace gmcr::frontend {
+namespace {
+
+using testing::random_points;
+
+std::array<double, 3> cell_of(const Points& points, Index i, double edge) {
+  const Eigen::Vector3d origin = points.rowwise().minCoeff();
+  const Eigen::Vector3d cell = ((points.col(i) - origin) / edge).array().floor();
+  return {cell.x(), cell.y(), cell.z()};
+}
+
+/// Checks that cells ascend, and that the points of each are its points, ascending.
+void expect_ordered(const Points& points, double edge) {
+  const CellOrder order = order_by_cell(points, points.rowwise().minCoeff(), edge);
+  ASSERT_EQ(order.points.size(), static_cast<std::size_t>(points.cols()));
+  ASSERT_EQ(order.starts.size(), static_cast<std::size_t>(order.num_cells()) + 1);
+  std::array<double, 3> before{-1, -1, -1};
+  for (Index k = 0; k < order.num_cells(); ++k) {
+    const std::array<double, 3> cell{order.cells(0, k), order.cells(1, k), order.cells(2, k)};
+    EXPECT_LT(before, cell);
+    before = cell;
+    const auto begin = static_cast<std::size_t>(order.starts[static_cast<std::size_t>(k)]);
+    const auto end = static_cast<std::size_t>(order.starts[static_cast<std::size_t>(k) + 1]);
+    ASSERT_LT(begin, end);
+    for (std::size_t at = begin; at < end; ++at) {
+      EXPECT_EQ(cell_of(points, order.points[at], edge), cell);
+      if (at > begin) {
+        EXPECT_LT(order.points[at - 1], order.points[at]);
+      }
+    }
+  }
+}
+
+TEST(CellOrder, IsThatOfTheCells) {
+  for (const double edge : {0.01, 0.1, 0.3, 5.0}) expect_ordered(random_points(1000, 1), edge);
+}
+
+TEST(CellOrder, HoldsWhere64BitsDoNotNumberTheCells) {
+  Points points = random_points(200, 2);
+  points.col(50) = Eigen::Vector3d(1e8, 1e8, 1e8);
+  points.col(51) = Eigen::Vector3d(1e8, 0, 0);
+  expect_ordered(points, 1e-3);
+}
+
+TEST(PointGrid, RunsHoldWhatIsWithinReach) {
+  Points points = random_points(500, 3);
+  points.col(9) = Eigen::Vector3d(1e12, 0, 0);
+  const double reach = 0.15;
+  const PointGrid grid(points, reach);
+  const Points queries = random_points(300, 4);
+  for (Index q = 0; q < queries.cols(); ++q) {
+    const Eigen::Vector3d query = 1.2 * queries.col(q);  // some beyond the points
+    std::vector<Index> in_runs;
+    for (const kernels::PointRun& run : grid.runs_about(query.data())) {
+      for (std::int32_t slot = run.begin; slot < run.end; ++slot) {
+        in_runs.push_back(grid.point(slot));
+      }
+    }
+    std::sort(in_runs.begin(), in_runs.end());
+    EXPECT_EQ(std::adjacent_find(in_runs.begin(), in_runs.end()), in_runs.end());
+    for (Index i = 0; i < points.cols(); ++i) {
+      if ((points.col(i) - query).norm() > reach) continue;
+      EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));
+    }
+  }
+}
+
+TEST(SurfaceCloud, FindsTheNearestPointAtAnyRadius) {
+  const Points points = random_points(400, 5);
+  SurfaceCloud cloud(points, Eigen::Vector3d::Zero(), 0.02);
+  const Points queries = random_points(100, 6);
+  for (const double radius : {0.03, 0.06, 0.2, 3.0}) {
+    const std::vector<Index> found = cloud.nearest(queries, radius, 2);
+    for (Index q = 0; q < queries.cols(); ++q) {
+      Index nearest = -1;
+      const double distance =
+          (points.colwise() - queries.col(q)).colwise().norm().minCoeff(&nearest);
+      EXPECT_EQ(found[static_cast<std::size_t>(q)], distance <= radius ? nearest : -1);
+    }
+  }
+}
+
+TEST(SurfaceCloud, HasNormalsWhereNeighboursAreFar) {
+  // a plane whose points thin out with the distance
+  Points points = random_points(600, 7);
+  for (Index i = 0; i < points.cols(); ++i) points.col(i) *= std::pow(1.02, static_cast<double>(i));
+  points.row(2).setZero();
+  SurfaceCloud cloud(points, Eigen::Vector3d::Zero(), 0.05);
+  std::vector<Index> all(600);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
+  cloud.require_normals(all, 2);
+  for (const Index i : all) EXPECT_NEAR(std::abs(cloud.normal(i).z()), 1, 1e-9) << i;
+}
+
+TEST(SurfaceCloud, OfFewPointsHasNormalsFromAll) {
+  Points points(3, 4);
+  points << 0, 1, 0, 50, 0, 0, 1, 50, 0, 0, 0, 0;
+  SurfaceCloud four(points, Eigen::Vector3d::Zero(), 0.1);
+  four.require_normals({0, 3}, 1);
+  EXPECT_NEAR(std::abs(four.normal(0).z()), 1, 1e-12);
+  EXPECT_NEAR(std::abs(four.normal(3).z()), 1, 1e-12);
+  SurfaceCloud two(points.leftCols(2), Eigen::Vector3d::Zero(), 0.1);
+  two.require_normals({0, 1}, 1);
+  EXPECT_TRUE(two.normal(0).isZero(0));
+}
+
+}  // namespace
+}  // namespace gmcr::frontend
