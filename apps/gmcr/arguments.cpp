@@ -50,9 +50,7 @@ CloudFiles::CloudFiles(const CloudArguments& clouds)
                  : clouds.source),
       target(clouds.target) {}
 
-void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
-  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
-  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
+void add_reading(CLI::App& command, CloudOptions& reading) {
   constexpr const char* kGroup = "Files";
   command
       .add_option("--mesh-points", reading.mesh_points,
@@ -68,6 +66,12 @@ void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
       ->check(at_least(0))
       ->type_name("N")
       ->group(kGroup);
+}
+
+void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
+  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
+  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
+  add_reading(command, reading);
   add_flags(command, frontend, selection);
 }
 

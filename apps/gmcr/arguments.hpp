@@ -34,6 +34,9 @@ struct SolverArguments {
   Options resolved() const;
 };
 
+/// Options of how a cloud is read, in a group of their own.
+void add_reading(CLI::App& command, CloudOptions& reading);
+
 /// Two clouds and how to match them: what `register` and `match` share.
 struct CloudArguments {
   std::string source;

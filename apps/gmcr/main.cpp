@@ -83,6 +83,7 @@ int run(int argc, char** argv) {
   add_register_command(app, work);
   add_solve_command(app, work);
   add_match_command(app, work);
+  add_prepare_command(app, work);
   add_clique_command(app, work);
   add_synth_command(app, work);
   add_eval_command(app, work);

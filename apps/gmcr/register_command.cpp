@@ -17,7 +17,8 @@ constexpr const char* kExamples =
     R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
 surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
 for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come
-from the clouds unless given. One of the clouds may be - for stdin.
+from the clouds unless given. One of the clouds may be - for stdin. Files of
+`prepare` bring their features.
 
 Examples:
   gmcr register scan2.ply scan1.ply
@@ -100,8 +101,7 @@ ExitCode run(const Arguments& arguments) {
   arguments.clouds.frontend.validate();
   check_outputs(arguments);
   const CloudFiles files(arguments.clouds);
-  const Points source = read_points(files.source, arguments.clouds.reading);
-  const Points target = read_points(files.target, arguments.clouds.reading);
+  const ReadPair pair(files.source, files.target, arguments.clouds.reading);
   CloudResult result;
   ReportContext context;
   context.options = &options;
@@ -109,12 +109,14 @@ ExitCode run(const Arguments& arguments) {
     ProgressLine progress(arguments.output.quiet);
     options.progress = progress.callback();
     const Stopwatch stopwatch;
-    result = register_clouds(source, target, arguments.clouds.frontend, options);
+    result = pair.apply(arguments.clouds.frontend, [&](const auto& source, const auto& target) {
+      return register_clouds(source, target, arguments.clouds.frontend, options);
+    });
     context.total_seconds = stopwatch.seconds();
   }
   const std::string json = to_json(result, context, kJsonIndent);
   const std::vector<std::string> written =
-      write_files(arguments, files, result, source, target, json);
+      write_files(arguments, files, result, pair.source(), pair.target(), json);
   if (arguments.output.json) {
     print_json(json);
   } else {

@@ -106,6 +106,10 @@ void check_cloud_output(const std::filesystem::path& path);
 /// As `check_output`, and where `write_matches` does not know the extension.
 void check_matches_output(const std::filesystem::path& path);
 
+/// All bytes of a file.
+/// @throws IoError where it is missing, a folder, unreadable or empty.
+std::string read_bytes(const std::filesystem::path& path);
+
 /// Writes a text, whole or not at all.
 /// @throws IoError where the file cannot be written.
 void write_text(const std::filesystem::path& path, std::string_view text);

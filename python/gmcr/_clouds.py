@@ -18,6 +18,7 @@ from ._arguments import (
     solver_options,
 )
 from ._gmcr import CloudMatches, CloudResult, FrontendOptions, Options
+from ._prepared import as_prepared_pair
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -43,7 +44,8 @@ def register_clouds(
     ----------
     source : array_like, shape (N, 3), or path
         Points, metres, finite: an array of any library, an Open3D cloud, a structured array with
-        x, y, z, as of ROS, or a file that ``gmcr.io`` reads. More columns may follow x, y, z.
+        x, y, z, as of ROS, or a file that ``gmcr.io`` reads. More columns may follow x, y, z. Or a
+        ``PreparedCloud``.
     target : array_like, shape (M, 3), or path
         As the source.
     frontend : FrontendOptions, optional
@@ -71,6 +73,9 @@ def register_clouds(
     >>> result.verdict, result.matrix()
     """
     matching, solver = cloud_options(frontend, options, **keywords)
+    prepared = as_prepared_pair(source, target, matching)
+    if prepared is not None:
+        return _gmcr.register_prepared(*prepared, matching, solver)
     return _gmcr.register_clouds(
         as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
     )
@@ -102,6 +107,9 @@ def match(
         Matched points, their indices, the clouds after the voxel grid.
     """
     matching, solver = cloud_options(frontend, options, **keywords)
+    prepared = as_prepared_pair(source, target, matching)
+    if prepared is not None:
+        return _gmcr.match_prepared(*prepared, matching, solver)
     return _gmcr.match_clouds(
         as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
     )

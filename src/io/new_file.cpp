@@ -128,6 +128,8 @@ void NewFile::commit() {
 
 }  // namespace io
 
+std::string read_bytes(const std::filesystem::path& path) { return io::read_file(path); }
+
 void write_text(const std::filesystem::path& path, std::string_view text) {
   io::write_file(path, text);
 }
