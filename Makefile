@@ -4,7 +4,7 @@ export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 export CCACHE_SLOPPINESS := pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-.PHONY: configure build demo test lint sanitize bench bench-paper site clean format
+.PHONY: configure build demo test lint sanitize sanitize-all fuzz outsiders soak bench bench-paper site clean format
 
 build: configure
 	@cmake --build --preset release
@@ -31,11 +31,32 @@ lint: build
 	@tools/make_venv
 	@tools/lint $(GATES)
 
-# the tests of the core with the address and undefined behaviour sanitizers
+# the tests of the core, of the readers and of what fuzzing kept with the address and undefined behaviour sanitizers
 sanitize: build/.packages
 	@cmake --preset asan-ubsan -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
-	@cmake --build --preset asan-ubsan --target core_tests
-	@ctest --preset asan-ubsan -L core -j2
+	@cmake --build --preset asan-ubsan --target core_tests outside_tests
+	@ctest --preset asan-ubsan -L "core|outside" -j2
+
+# all tests but those of Open3D and of other compilers, under either kind of sanitizers: hours
+sanitize-all: build/.packages
+	@for preset in asan-ubsan tsan; do cmake --preset $$preset -Wno-dev >build/configure.log 2>&1 \
+	  && cmake --build --preset $$preset --target core_tests outside_tests test_frontend test_synthetic test_cli \
+	  && ctest --preset $$preset -L "core|outside|unit" -j2 || exit 1; done
+
+# everything that takes bytes from outside, under libFuzzer: MINUTES of each, or of the TARGETS named
+fuzz: build/.packages
+	@cmake --preset fuzz -Wno-dev >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build --preset fuzz --target fuzzers
+	@tools/fuzz --minutes $(or $(MINUTES),1) $(TARGETS)
+
+# cliques against igraph and cliquer, bounds against all subsets: EFFORT times as many as in the tests
+outsiders: build
+	@GMCR_EFFORT=$(or $(EFFORT),50) build/release/bin/test_clique --gtest_filter='Outsiders.*'
+	@GMCR_EFFORT=$(or $(EFFORT),50) build/release/bin/test_proof --gtest_filter='BruteForce.*'
+
+# problems of all kinds from 8 threads of each of 2 processes for MINUTES
+soak: build
+	@build/release/bin/bench_soak --minutes $(or $(MINUTES),60)
 
 bench: build
 	@bench/run

@@ -1,12 +1,49 @@
 # Settings that every target of the project shares.
 
+include(CheckCXXCompilerFlag)
+include(CheckLinkerFlag)
+include(CheckPIESupported)
+check_pie_supported(LANGUAGES CXX)  # position-independent programs too
+
+option(GMCR_HARDENING "Compile and link what users get with the hardening flags that the compiler knows" ON)
+set(gmcr_hardening_compile "")
+set(gmcr_hardening_link "")
+# sanitizers bring their own, and fortified functions go past what they watch
+if(GMCR_HARDENING AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize|--coverage")
+  foreach(flag IN ITEMS -fstack-protector-strong -fstack-clash-protection -fcf-protection)
+    string(MAKE_C_IDENTIFIER "GMCR_HAS${flag}" has)
+    check_cxx_compiler_flag(${flag} ${has})
+    if(${has})
+      list(APPEND gmcr_hardening_compile ${flag})
+    endif()
+  endforeach()
+  foreach(flag IN ITEMS -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)  # which needs an optimiser
+    list(APPEND gmcr_hardening_compile $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:${flag}>)
+  endforeach()
+  foreach(word IN ITEMS relro now noexecstack)
+    check_linker_flag(CXX "LINKER:-z,${word}" GMCR_HAS_Z_${word})
+    if(GMCR_HAS_Z_${word})
+      list(APPEND gmcr_hardening_link "LINKER:-z,${word}")
+    endif()
+  endforeach()
+endif()
+
+# gmcr_harden(TARGET): the flags above, for what users get: the library, the tool and the Python module.
+function(gmcr_harden target)
+  target_compile_options(${target} PRIVATE ${gmcr_hardening_compile})
+  target_link_options(${target} PRIVATE ${gmcr_hardening_link})
+endfunction()
+
 # The same bits on every machine: no fused multiply-add that the compiler picks by itself.
 function(gmcr_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # false alarms of g++ 12 inside Eigen, and on "literal" + std::string
-    -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overread)
+    target_compile_options(${target} PRIVATE
+      -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overread)
+  endif()
   if(GMCR_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -32,6 +69,7 @@ function(gmcr_module name)
   list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   add_library(${target} STATIC ${arg_SOURCES})
   gmcr_target_defaults(${target})
+  gmcr_harden(${target})
   gmcr_precompile(${target} gmcr_geometry)
   target_include_directories(${target}
     PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include ${PROJECT_SOURCE_DIR}/src)
@@ -57,6 +95,7 @@ function(gmcr_library name)
   add_library(gmcr::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   gmcr_target_defaults(${target})
+  gmcr_harden(${target})
   target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
            $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>

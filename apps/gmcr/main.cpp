@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -21,6 +20,7 @@
 #include "help.hpp"
 #include "option_flags.hpp"
 #include "spelling.hpp"
+#include "stderr_text.hpp"
 #include "terminal.hpp"
 
 namespace gmcr::cli {
@@ -36,7 +36,7 @@ Exit codes: 0 pose found, 1 no pose, 2 bad usage or input, 3 file cannot be read
 /// Reports the error on one line of stderr.
 ExitCode fail(ExitCode code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "gmcr: {}\n", message);
+  print_to_stderr("gmcr: " + message + "\n");
   return code;
 }
 

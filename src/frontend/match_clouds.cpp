@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -106,10 +107,19 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
       source.features(from, setting.source_side, frontend.source_viewpoint, threads, clock);
   const Features& target_features =
       target.features(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto found = frontend::match_features(
-      source_features, target_features,
-      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one,
-       deadline.within(kMatchingShare * deadline.remaining())});
+  frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
+                                     threads, options.one_to_one,
+                                     deadline.within(kMatchingShare * deadline.remaining())};
+  Points source_normals, target_normals;
+  std::optional<MatchPriors> priors;
+  if (MatchPriors::say_something(options)) {
+    source_normals = oriented_normals(from, setting.source_side, frontend.source_viewpoint);
+    target_normals = oriented_normals(to, setting.target_side, frontend.target_viewpoint);
+    priors.emplace(OrientedPoints{from.voxels, source_normals},
+                   OrientedPoints{to.voxels, target_normals}, options, matches.noise_bound);
+    matching.priors = &*priors;
+  }
+  const auto found = frontend::match_features(source_features, target_features, matching);
   matches.share_compared = found.share_compared;
   for (const frontend::FeatureMatch& pair : found.pairs) {
     matches.source_indices.push_back(pair.source);

@@ -6,6 +6,7 @@
 
 #include "frontend/alignment/refine_pose.hpp"
 #include "frontend/cloud_pair.hpp"
+#include "frontend/hypotheses.hpp"
 #include "frontend/judged_pose.hpp"
 #include "frontend/stage_clock.hpp"
 #include "gmcr/metrics.hpp"
@@ -77,8 +78,10 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     return result;
   }
   const auto voxels = frontend::voxel_pair(result.matches);
-  frontend::SurfaceJudge judge(voxels, result.matches.target_voxel_size, options);
-  result = frontend::take(std::move(result), judge.approach(matched, deadline), *voxels, options);
+  frontend::Hypotheses hypotheses(voxels, result.matches.target_voxel_size, options, deadline);
+  const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);
+  result.rivals = hypotheses.rivals_of(candidate);
+  result = frontend::take(std::move(result), candidate, *voxels, options);
   return frontend::settle(std::move(result), source, target, *voxels, matched, options, deadline);
 }
 

@@ -119,12 +119,23 @@ Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& o
   return next;
 }
 
-/// Looks at the rivals of a pose, and takes one that is clearly better.
+/// The pose that is clearly better by the surfaces, or better by both them and the matches.
+frontend::Candidate preferred(const Attempt& attempt, frontend::Hypotheses& hypotheses,
+                              const Options& options) {
+  const frontend::Candidate best = hypotheses.challenged(attempt.candidate);
+  for (const frontend::Candidate& other : hypotheses.better_than(best)) {
+    const double evidence = frontend::evidence_of(attempt.result, other, options);
+    if (evidence > frontend::evidence_of(attempt.result, best, options)) return other;
+  }
+  return best;
+}
+
+/// Looks at the rivals of a pose, and takes one that is preferred to it.
 void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
                          const Options& options) {
   frontend::StageClock clock(attempt.result.registration.diagnostics.stages);
   const Similarity before = attempt.candidate.target_from_source;
-  attempt.candidate = hypotheses.challenged(attempt.candidate);
+  attempt.candidate = preferred(attempt, hypotheses, options);
   attempt.result.rivals = hypotheses.rivals_of(attempt.candidate);
   if (attempt.candidate.target_from_source.matrix() == before.matrix()) {
     frontend::judge(attempt.result);

@@ -42,12 +42,16 @@ Surface known_surface(const PointsRef& points, double voxel_size, Points voxels,
   return surface;
 }
 
+Points oriented_normals(const Surface& surface, NormalOrientation side,
+                        const Eigen::Vector3d& viewpoint) {
+  if (side == NormalOrientation::Outward) return orient_outward(surface.local, surface.normals);
+  return orient_toward(surface.local, surface.normals,
+                       (viewpoint - surface.centre) / surface.voxel_size);
+}
+
 Features describe(const Surface& surface, NormalOrientation side, const Eigen::Vector3d& viewpoint,
                   int num_threads, StageClock& clock) {
-  const Points normals = side == NormalOrientation::Outward
-                             ? orient_outward(surface.local, surface.normals)
-                             : orient_toward(surface.local, surface.normals,
-                                             (viewpoint - surface.centre) / surface.voxel_size);
+  const Points normals = oriented_normals(surface, side, viewpoint);
   Features features = compute_fpfh(surface.local, normals, *surface.neighbourhoods, num_threads);
   clock.lap("features");
   return features;

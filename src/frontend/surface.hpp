@@ -27,6 +27,11 @@ Surface make_surface(const PointsRef& points, double voxel_size, const FrontendO
 /// A surface whose voxels and normals are known, as `make_surface` gave them for these points.
 Surface known_surface(const PointsRef& points, double voxel_size, Points voxels, Points normals);
 
+/// The normals of the surface turned to the given side.
+/// @param side  not `Automatic`.
+Points oriented_normals(const Surface& surface, NormalOrientation side,
+                        const Eigen::Vector3d& viewpoint);
+
 /// FPFH of the surface with its normals turned to the given side; time goes to "features".
 /// @param surface  its neighbourhoods are known.
 /// @param side     not `Automatic`.

@@ -17,18 +17,22 @@ constexpr Index kMostSample = 20'000;
 constexpr Index kSampleShare = 2;  // of each correspondence
 constexpr std::size_t kPerLength = 4;
 
-/// Numbers without a pattern, the same every time.
-class Shuffle {
- public:
-  /// In [0, count).
-  Index next(Index count) {
-    const std::uint64_t high = problem::mixed(num_drawn_++) >> 32;
-    return static_cast<Index>((high * static_cast<std::uint64_t>(count)) >> 32);
-  }
-
- private:
-  std::uint64_t num_drawn_ = 0;
+/// Two different numbers below a count.
+struct Couple {
+  Index first, second;
 };
+
+/// Number k of a sequence of couples without a pattern, the same every time.
+Couple couple(std::uint64_t k, Index count) {
+  constexpr int kHalf = 32;
+  const std::uint64_t bits = problem::mixed(k);
+  const auto below = [](std::uint64_t half, Index end) {
+    return static_cast<Index>((half * static_cast<std::uint64_t>(end)) >> kHalf);
+  };
+  const Index first = below(bits >> kHalf, count);
+  const Index second = first + 1 + below(bits & ((std::uint64_t{1} << kHalf) - 1), count - 1);
+  return {first, second < count ? second : second - count};
+}
 
 double log10_choose(double n, double k) {
   return (std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1)) / std::log(10.0);
@@ -85,19 +89,18 @@ Chance measure_chance(const problem::CallerCorrespondences& all, const problem::
   const Eigen::Matrix3d linear = transform.scale * transform.rotation;
   std::vector<double> distances(static_cast<std::size_t>(count)), lengths;
   lengths.reserve(distances.size() / kPerLength + 1);
-  Shuffle shuffle;
   // The source of one and the target of another: a random correspondence.
-  Index i = shuffle.next(n), j = (i + 1 + shuffle.next(n - 1)) % n;
+  Couple last = couple(0, n);
   for (std::size_t k = 0; k < distances.size(); ++k) {
-    const Index last_i = i, last_j = j;
-    i = shuffle.next(n);
-    j = (i + 1 + shuffle.next(n - 1)) % n;
+    const auto [i, j] = couple(k + 1, n);
     const Eigen::Vector3d image = linear * all.source.col(i) + transform.translation;
     distances[k] = (all.target.col(j) - image).norm() / all.bounds[i];
-    if (k % kPerLength > 0) continue;
-    const double from = transform.scale * (all.source.col(i) - all.source.col(last_i)).norm();
-    const double to = (all.target.col(j) - all.target.col(last_j)).norm();
-    lengths.push_back(std::abs(to - from) / (all.bounds[i] + all.bounds[last_i]));
+    if (k % kPerLength == 0) {
+      const double from = transform.scale * (all.source.col(i) - all.source.col(last.first)).norm();
+      const double to = (all.target.col(j) - all.target.col(last.second)).norm();
+      lengths.push_back(std::abs(to - from) / (all.bounds[i] + all.bounds[last.first]));
+    }
+    last = {i, j};
   }
   return {share_within(distances, 1), share_within(lengths, 1)};
 }

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "gmcr/options.hpp"
+#include "problem/selection.hpp"
 
 namespace gmcr::noise {
 namespace {
 
-constexpr Index kMaxPairs = 100'000;
+constexpr Index kFewPairs = 10'000;
 constexpr Index kMinSample = 3;  // correspondences that determine a pose
 
 /// log10 of k! for k = 0..n.
@@ -25,11 +29,11 @@ double log_choose(const std::vector<double>& log_factorial, Index n, Index k) {
 
 }  // namespace
 
-PairDistances::PairDistances(const PointsRef& points, const PointsRef& others) {
+PairDistances::PairDistances(const PointsRef& points, const PointsRef& others, Index max_pairs) {
   // Pairs at a few distances along the (cyclic) order, spread evenly.
   const Index n = points.cols(), num_shifts = n / 2;
   constexpr Index kMinShifts = 4;
-  const Index used = std::min(std::max(kMaxPairs / std::max<Index>(n, 1), kMinShifts), num_shifts);
+  const Index used = std::min(std::max(max_pairs / std::max<Index>(n, 1), kMinShifts), num_shifts);
   for (Index k = 1; k <= used; ++k) {
     const Index shift = k * num_shifts / used;
     for (Index i = 0; i < n; ++i) {
@@ -77,6 +81,25 @@ FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
                            static_cast<double>(k - kMinSample) * std::log10(alpha));
   }
   return alarms;
+}
+
+PoseAlarms::PoseAlarms(const PointsRef& source, const PointsRef& target)
+    : source_(source),
+      target_(target),
+      source_distances_(source_, kFewPairs),
+      target_distances_(target_, kFewPairs) {
+  // what a residual of typical coordinates is off by
+  constexpr double kDigits = 64 * std::numeric_limits<double>::epsilon();
+  rounding_ = std::max(kDigits * problem::middle_of(target_.cwiseAbs()).norm(), kLeastMagnitude);
+}
+
+double PoseAlarms::least_log10(const Similarity& pose) const {
+  const Points images = pose.apply(source_);
+  const Eigen::ArrayXd residuals = (target_ - images).colwise().norm();
+  const FalseAlarms alarms =
+      count_false_alarms(residuals, pose.scale, source_distances_, target_distances_,
+                         PairDistances(images, target_, kFewPairs), rounding_);
+  return alarms.empty() ? 0 : *std::min_element(alarms.log10.begin(), alarms.log10.end());
 }
 
 }  // namespace gmcr::noise

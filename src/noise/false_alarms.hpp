@@ -13,11 +13,15 @@ namespace gmcr::noise {
 /// even selection, without those that coincide.
 class PairDistances {
  public:
+  static constexpr Index kMaxPairs = 100'000;
+
   /// Of the points of one cloud.
-  explicit PairDistances(const PointsRef& points) : PairDistances(points, points) {}
+  /// @param max_pairs  about; at least 4 for each point.
+  explicit PairDistances(const PointsRef& points, Index max_pairs = kMaxPairs)
+      : PairDistances(points, points, max_pairs) {}
 
   /// Of a point of one cloud and one of another that is not its partner; as many columns each.
-  PairDistances(const PointsRef& points, const PointsRef& others);
+  PairDistances(const PointsRef& points, const PointsRef& others, Index max_pairs = kMaxPairs);
 
   bool empty() const { return sorted_.empty(); }
 
@@ -61,5 +65,21 @@ struct FalseAlarms {
 FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
                                const PairDistances& source, const PairDistances& target,
                                const PairDistances& between, double rounding);
+
+/// How sure poses of the same correspondences are without a noise bound, roughly and fast: the
+/// least log10 of the false alarms of their consensus sets, by 10,000 distances of pairs.
+class PoseAlarms {
+ public:
+  /// @param source, target  N correspondences.
+  PoseAlarms(const PointsRef& source, const PointsRef& target);
+
+  /// Least log10 of `count_false_alarms`; 0 where N <= 3. Cost O(N log N).
+  double least_log10(const Similarity& pose) const;
+
+ private:
+  Points source_, target_;
+  PairDistances source_distances_, target_distances_;
+  double rounding_;
+};
 
 }  // namespace gmcr::noise

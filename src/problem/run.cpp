@@ -9,17 +9,19 @@
 namespace gmcr::problem {
 namespace {
 
-/// Searches by number may take so many times the work of those by weight.
-constexpr std::uint64_t kByNumber = 4;
-
-/// Word operations that a search for a clique by weight may take: what small graphs need, and no
-/// more than some passes over large ones.
-std::uint64_t max_work(const BitsetGraph& graph) {
-  constexpr std::uint64_t kLeast = std::uint64_t{1} << 22;
-  constexpr std::uint64_t kPasses = 4;
-  return kLeast + kPasses * static_cast<std::uint64_t>(graph.num_vertices()) *
-                      static_cast<std::uint64_t>(graph.words_per_row());
+/// Word operations that a clique search may take: what small graphs need, and passes over large
+/// ones.
+std::uint64_t max_work(const BitsetGraph& graph, int log2_least, std::uint64_t passes) {
+  return (std::uint64_t{1} << log2_least) + passes *
+                                                static_cast<std::uint64_t>(graph.num_vertices()) *
+                                                static_cast<std::uint64_t>(graph.words_per_row());
 }
+
+/// To find a clique.
+std::uint64_t work_to_find(const BitsetGraph& graph) { return max_work(graph, 20, 1); }
+
+/// Of a search by weight whose bound is asked for.
+std::uint64_t work_to_bound(const BitsetGraph& graph) { return max_work(graph, 22, 4); }
 
 /// Bytes that the graph leaves of the budget to copies of parts of it: half of the rest, at most
 /// half as many as it takes itself and some more.
@@ -76,7 +78,7 @@ Run::Clique Run::max_clique(const BitsetGraph& graph, Index must_exceed, std::ui
   clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
   // a proof is worth more work only where it is asked for
-  if (!options_.certify) clique_options.max_work = kByNumber * max_work(graph);
+  if (!options_.certify) clique_options.max_work = work_to_find(graph);
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;
   clique_options.max_memory = memory_left(graph, options_.memory_limit);
@@ -97,7 +99,7 @@ Run::Clique Run::max_weight_clique(const BitsetGraph& graph, std::span<const dou
   clique_options.time_limit = deadline_.remaining();
   clique_options.stop = options_.stop;
   clique_options.max_nodes = max_nodes;
-  clique_options.max_work = max_work(graph);
+  clique_options.max_work = options_.certify ? work_to_bound(graph) : work_to_find(graph);
   clique_options.max_memory = memory_left(graph, options_.memory_limit);
   clique_options.must_exceed = must_exceed;
   clique_options.num_threads = options_.num_threads;

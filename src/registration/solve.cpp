@@ -8,6 +8,7 @@
 #include "proof/tighten.hpp"
 #include "refine/likely_pose.hpp"
 #include "registration/answer.hpp"
+#include "registration/other_bounds.hpp"
 #include "search/best_poses.hpp"
 #include "search/sampled_search.hpp"
 
@@ -53,6 +54,13 @@ std::vector<problem::CentredPose> fitted_poses(const Problem& problem, const Fou
   return refine::most_likely_poses(problem, found.poses);
 }
 
+Result solve_at_bound(const PointsRef& source, const PointsRef& target, const Options& options) {
+  Run run(options);
+  const Problem problem(source, target, options, run);
+  const Found found = find(problem, run);
+  return answer(problem, found, fitted_poses(problem, found, run), run);
+}
+
 }  // namespace
 
 Found find(const Problem& problem, Run& run) {
@@ -66,10 +74,8 @@ Found find(const Problem& problem, Run& run) {
 }
 
 Result solve(const PointsRef& source, const PointsRef& target, const Options& options) {
-  Run run(options);
-  const Problem problem(source, target, options, run);
-  const Found found = find(problem, run);
-  return answer(problem, found, fitted_poses(problem, found, run), run);
+  return at_surest_bound(solve_at_bound(source, target, options), source, target, options,
+                         solve_at_bound);
 }
 
 }  // namespace gmcr::registration

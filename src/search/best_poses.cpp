@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "search/sampled_start.hpp"
+#include "search/conflict_bounds.hpp"
 #include "search/scale_modes.hpp"
 
 namespace gmcr::search {
@@ -20,25 +20,79 @@ bool time_is_short(const problem::Problem& problem) {
          kShare * problem.options().time_limit;
 }
 
+/// Whether samples may decide the search: no proof and no clique is asked for, and a graph takes
+/// longer.
+bool may_be_decided(const problem::Problem& problem) {
+  constexpr Index kLeast = 256;
+  const Options& options = problem.options();
+  return problem.size() >= kLeast && !options.certify && !options.clique_solver;
+}
+
+/// Draws that take a quarter of the time of the graphs, so that little is lost where they decide
+/// nothing; where the scale is unknown some in any case, as a pose to beat leaves few scales.
+Index max_draws(const problem::Problem& problem) {
+  constexpr double kShare = 0.25, kSecondsEach = 5e-8;
+  constexpr Index kSome = 800;
+  const bool scale_is_known = problem.scale_is_known();
+  const auto draws = static_cast<Index>(
+      kShare * problem::foreseen_seconds(problem.size(), scale_is_known) / kSecondsEach);
+  return scale_is_known ? draws : std::max(draws, kSome);
+}
+
+/// Whether samples come first.
+bool is_worth_samples(const problem::Problem& problem) {
+  return may_be_decided(problem) || (!problem.scale_is_known() && !problem.options().certify &&
+                                     !problem.options().clique_solver);
+}
+
 }  // namespace
 
 BestPoseSearch::BestPoseSearch(const problem::Problem& problem, problem::Run& run,
                                std::vector<problem::Hypothesis> left_out)
     : poses_(problem, run, std::move(left_out)) {
-  const bool is_first = poses_.left_out().empty(), starts = is_first && time_is_short(problem);
-  if (starts) start_from_samples();
-  if (problem.scale_is_known()) {
+  const bool is_first = poses_.left_out().empty(), is_hurried = is_first && time_is_short(problem);
+  bool is_decided = false;
+  if (is_hurried) {
+    is_decided = start_from_samples({});
+  } else if (is_first && is_worth_samples(problem)) {
+    is_decided = start_from_samples({max_draws(problem), run.deadline()});
+  }
+  if (is_decided) return;
+  if (problem.size() > problem::kQuickGraph && !problem.options().certify && run.stopped()) {
+    bounds_.inliers = bounds_.evidence = static_cast<double>(problem.size());
+  } else if (problem.scale_is_known()) {
     search_known_scale();
   } else {
     search_scales();
   }
   // a limit that could not be foreseen, such as the caller's stop
-  if (is_first && !starts && !poses_.best() && run.stopped()) start_from_samples();
+  if (is_first && !is_hurried && !poses_.best() && run.stopped()) start_from_samples({});
   if (!problem.objective().is_weighted()) bounds_.evidence = bounds_.inliers;
 }
 
-void BestPoseSearch::start_from_samples() {
-  if (const auto start = sampled_start(poses_.problem())) poses_.start_from(*start);
+bool BestPoseSearch::start_from_samples(const SamplingEffort& effort) {
+  const problem::Problem& problem = poses_.problem();
+  SampledStart start;
+  {
+    const StageTimer timer(poses_.run(), "start");
+    start = sampled_start(problem, effort);
+  }
+  if (!start.best) return false;
+  if (!start.is_decisive || !may_be_decided(problem)) {
+    poses_.start_from(*start.best);
+    return false;
+  }
+  {
+    const StageTimer timer(poses_.run(), "pose");
+    poses_.offer(std::move(*start.best));
+  }
+  const StageTimer timer(poses_.run(), "bounds");
+  bounds_ = bounds_by_conflicts(problem, *poses_.best());
+  constexpr const char* kDecided =
+      "samples decided the search, as no proof was asked for: the upper bound may be loose";
+  poses_.note_early_end(Measure::Inliers, {Limit::CliqueSearch, kDecided});
+  poses_.note_early_end(Measure::Evidence, {Limit::EvidenceSearch, kDecided});
+  return true;
 }
 
 void BestPoseSearch::search_known_scale() {

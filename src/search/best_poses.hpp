@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "problem/problem.hpp"
+#include "search/sampled_start.hpp"
 #include "search/scale_branch_and_bound.hpp"
 
 namespace gmcr::search {
@@ -38,7 +39,8 @@ class BestPoseSearch {
   problem::Found found();
 
  private:
-  void start_from_samples();
+  /// @return whether there is no need to search.
+  bool start_from_samples(const SamplingEffort& effort);
   void search_known_scale();
   void search_scales();
 

@@ -21,7 +21,7 @@ void PoseSearch::try_clique(const std::vector<Index>& clique) {
   ++run_.diagnostics().num_candidates;
   // L7: the clique was a candidate; the objective on all correspondences decides
   std::optional<problem::Hypothesis> pose = refine::optimise_locally(problem_, {*fit}, incumbent());
-  if (pose) keep(std::move(*pose));
+  if (pose) offer(std::move(*pose));
 }
 
 void PoseSearch::try_pose(const problem::CentredPose& pose) {
@@ -35,14 +35,12 @@ void PoseSearch::try_pose(const problem::CentredPose& pose) {
     if (!admitted) return;
     judged = problem_.objective().judge({*admitted});
   }
-  keep(std::move(judged));
+  offer(std::move(judged));
 }
 
-void PoseSearch::start_from(const problem::CentredPose& pose) {
-  const StageTimer timer(run_, "start");
+void PoseSearch::start_from(const problem::Hypothesis& pose) {
   ++run_.diagnostics().num_candidates;
-  const auto fitted = refine::optimise_locally(problem_, pose);
-  if (fitted && fitted->num_inliers() >= problem_.min_inliers()) note(*fitted);
+  if (pose.num_inliers() >= problem_.min_inliers()) note(pose);
 }
 
 refine::Incumbent PoseSearch::incumbent() const {
@@ -50,7 +48,7 @@ refine::Incumbent PoseSearch::incumbent() const {
   return {best_ ? &*best_ : nullptr, num_in_vain_ >= kPatience};
 }
 
-void PoseSearch::keep(problem::Hypothesis pose) {
+void PoseSearch::offer(problem::Hypothesis pose) {
   if (incumbent().is_near(pose.inliers)) ++num_in_vain_;
   if (!reached_.insert(pose.inliers).second) return;
   // a challenger is measured by what it can hold, as the best so far was

@@ -38,9 +38,12 @@ class PoseSearch {
   /// Keeps a pose, or the nearest one that the priors admit, where it is the best one.
   void try_pose(const problem::CentredPose& pose);
 
-  /// Keeps what fits on all correspondences make of a pose, so that there is one to answer with. It
-  /// does not reach for more, which takes longer.
-  void start_from(const problem::CentredPose& pose);
+  /// Keeps a pose that was fitted to all correspondences as one to answer with. It does not reach
+  /// for more, which takes longer.
+  void start_from(const problem::Hypothesis& pose);
+
+  /// Keeps what reaching for more makes of a pose, where it is the best one.
+  void offer(problem::Hypothesis pose);
 
   const std::optional<problem::Hypothesis>& best() const { return best_; }
 
@@ -61,7 +64,6 @@ class PoseSearch {
 
  private:
   refine::Incumbent incumbent() const;
-  void keep(problem::Hypothesis pose);
   void note(const problem::Hypothesis& reached);
 
   const problem::Problem& problem_;

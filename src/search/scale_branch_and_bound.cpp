@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gmcr::search {
@@ -13,6 +14,17 @@ constexpr std::uint64_t kMaxWeightedNodes = 1'000;
 constexpr double kSimilar = 0.9;
 constexpr const char* kEndedEarly =
     "a clique search ended before its proof: the upper bound may be loose";
+
+/// Ranges whose bound may exceed what is known after their search, before the search over the scale
+/// ends: any number where a proof is asked for; else some, and as many more as small graphs cost
+/// little.
+Index max_open(const PoseSearch& search) {
+  constexpr Index kLeast = 30, kMoreWords = Index{1} << 18;
+  const Index n = search.problem().size();
+  return search.problem().options().certify
+             ? std::numeric_limits<Index>::max()
+             : kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1));
+}
 
 /// Whether all pairs of the correspondences agree at one scale of the range.
 bool agree_at_one_scale(const geometry::CorrespondenceArrays& arrays,
@@ -53,10 +65,11 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
     return r.floors.of(measure) >= r.bounds.of(measure);
   };
   const Index max_graphs = 2 * voted_.bins().size();
+  Index num_open = 0;
   std::make_heap(ranges_.begin(), ranges_.end(), is_less);
   for (Index num_graphs = 0;
        exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));) {
-    if (num_graphs == max_graphs) {
+    if (num_graphs == max_graphs || num_open == max_open(search_)) {
       search_.note_early_end(
           measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
       break;
@@ -78,6 +91,7 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
       ranges_.push_back(upper);
     } else {
       search_range(range, measure, tighten);
+      num_open += exceeds(range.bounds.of(measure), search_.to_beat(measure));
       search_.run().report("scale_search",
                            static_cast<double>(++num_graphs) / static_cast<double>(max_graphs));
     }

@@ -1,6 +1,8 @@
 #include "search/voted_bins.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace gmcr::search {
@@ -28,6 +30,47 @@ ScaleVotes count_votes(PoseSearch& search, const ScaleBins& bins) {
                            search.run().options().num_threads, search.run().deadline());
 }
 
+/// Number of pairs that agree at some scale of each bin.
+std::vector<Index> count_pairs(const geometry::CorrespondenceArrays& arrays,
+                               const ScaleBins& bins) {
+  std::vector<Index> pairs(static_cast<std::size_t>(bins.size()) + 1, 0);
+  std::vector<kernels::BinSpan> spans(static_cast<std::size_t>(arrays.size()));
+  for (Index i = 0; i + 1 < arrays.size(); ++i) {
+    kernels::scale_row(arrays, bins.cells(), i, i + 1, spans);
+    for (Index j = i + 1; j < arrays.size(); ++j) {
+      const kernels::BinSpan span = spans[static_cast<std::size_t>(j)];
+      ++pairs[static_cast<std::size_t>(span.begin())];
+      --pairs[static_cast<std::size_t>(span.end())];
+    }
+  }
+  std::partial_sum(pairs.begin(), pairs.end(), pairs.begin());
+  pairs.pop_back();
+  return pairs;
+}
+
+/// The scales at which enough pairs agree for more than the best pose so far (L5 (c)), from the
+/// first to the last; of a few correspondences, as it takes a pass over all pairs.
+ScaleRange open_scales(PoseSearch& search) {
+  constexpr Index kFewCorrespondences = 256;
+  const ScaleRange& all = search.problem().scales();
+  if (!search.best() || search.problem().size() > kFewCorrespondences) return all;
+  const StageTimer timer(search.run(), "scale_votes");
+  const ScaleBins bins(all, kBinRatio, search.problem().buckets());
+  const std::vector<Index> pairs = count_pairs(search.problem().arrays(), bins);
+  // evidence is at most the number of members
+  const double members = std::floor(search.to_beat(Measure::Evidence)) + 1;
+  ScaleRange open{0, 0};
+  for (Index bin = 0; bin < bins.size(); ++bin) {
+    const auto num_pairs = static_cast<double>(pairs[static_cast<std::size_t>(bin)]);
+    if (num_pairs < members * (members - 1) / 2) continue;
+    if (open.max == 0) open.min = bins[bin].min;
+    open.max = bins[bin].max;
+  }
+  if (open.max > 0) return open;
+  const double scale = search.best()->pose.scale();  // of one bin: no scale is open
+  return {std::max(all.min, scale / kBinRatio), std::min(all.max, scale * kBinRatio)};
+}
+
 bool is_open(PoseSearch& search, const PerMeasure& bounds) {
   return exceeds(bounds.inliers, search.to_beat(Measure::Inliers)) ||
          exceeds(bounds.evidence, search.to_beat(Measure::Evidence));
@@ -36,7 +79,7 @@ bool is_open(PoseSearch& search, const PerMeasure& bounds) {
 }  // namespace
 
 VotedBins::VotedBins(PoseSearch& search)
-    : bins_(search.problem().scales(), kBinRatio, search.problem().buckets()),
+    : bins_(open_scales(search), kBinRatio, search.problem().buckets()),
       votes_(count_votes(search, bins_)),
       num_pairs_(search.problem().arrays().size() * (search.problem().arrays().size() - 1) / 2) {}
 

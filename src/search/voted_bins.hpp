@@ -10,7 +10,8 @@ namespace gmcr::search {
 /// The bins of scales, what the pairs say of them, and their graphs.
 class VotedBins {
  public:
-  /// Counts the votes.
+  /// Counts the votes, of few correspondences only at the scales where the best pose so far may be
+  /// beaten.
   explicit VotedBins(PoseSearch& search);
 
   const ScaleBins& bins() const { return bins_; }

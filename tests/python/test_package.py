@@ -62,6 +62,12 @@ def test_only_numpy_is_needed_at_run_time():
     assert importlib.metadata.version("gmcr") == gmcr.__version__
 
 
+def test_the_extension_links_what_it_says_and_hides_the_rest():
+    extension = Path(gmcr._gmcr.__file__)
+    done = run("-B", ROOT / "tests/architecture/linked_test.py", extension)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 @pytest.mark.parametrize("name", gmcr.__all__)
 def test_everything_public_is_documented(name):
     thing = getattr(gmcr, name)

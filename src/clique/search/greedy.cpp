@@ -1,5 +1,6 @@
 #include "clique/search/greedy.hpp"
 
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -43,16 +44,34 @@ void check_arguments(RowsView graph, Index start, std::span<const Index> priorit
   }
 }
 
+/// Ascending vertices, by descending priority; equal ones stay in their order.
+std::vector<Index> by_priority(std::vector<Index> vertices, std::span<const Index> priority) {
+  if (vertices.empty()) return vertices;
+  Index least = priority[vertices.front()], most = least;
+  for (const Index v : vertices) {
+    least = std::min(least, priority[v]);
+    most = std::max(most, priority[v]);
+  }
+  constexpr Index kMostSteps = 8;  // counted for each vertex before sorting takes less time
+  if (most - least > kMostSteps * static_cast<Index>(vertices.size())) {
+    std::stable_sort(vertices.begin(), vertices.end(),
+                     [&](Index a, Index b) { return priority[a] > priority[b]; });
+    return vertices;
+  }
+  std::vector<Index> place(most - least + 2, 0);
+  for (const Index v : vertices) ++place[most - priority[v] + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<Index> sorted(vertices.size());
+  for (const Index v : vertices) sorted[place[most - priority[v]]++] = v;
+  return sorted;
+}
+
 std::vector<Index> candidates_by_priority(std::span<const Word> mask,
                                           std::span<const Index> priority) {
   std::vector<Index> candidates;
   for_each_bit(mask.data(), static_cast<Index>(mask.size()),
                [&](Index v) { candidates.push_back(v); });
-  if (!priority.empty()) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](Index a, Index b) { return priority[a] > priority[b]; });
-  }
-  return candidates;
+  return priority.empty() ? candidates : by_priority(std::move(candidates), priority);
 }
 
 /// A clique of `graph`, as numbers of it: adds the vertex with the most neighbours among the

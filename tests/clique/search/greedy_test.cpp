@@ -57,6 +57,21 @@ TEST(GreedyClique, CountsNeighboursAmongTheCandidates) {
   EXPECT_EQ(greedy_clique(graph, 0, priority, 3), (std::vector<Index>{0, 1}));
 }
 
+TEST(GreedyClique, GoesByTheOrderOfThePrioritiesAndNotByTheirSize) {
+  for (int seed = 0; seed < 10; ++seed) {
+    const BitsetGraph graph = test::random_graph(200, 0.5, static_cast<std::uint64_t>(seed));
+    std::vector<Index> narrow, wide;
+    for (Index v = 0; v < 200; ++v) {
+      narrow.push_back((v * 37 + seed) % 23 - 5);
+      wide.push_back(1'000'000 * narrow.back());
+    }
+    for (const Index start : {0, 77, 199}) {
+      EXPECT_EQ(greedy_clique(graph, start, narrow, 0), greedy_clique(graph, start, wide, 0));
+      EXPECT_EQ(greedy_clique(graph, start, narrow, 40), greedy_clique(graph, start, wide, 40));
+    }
+  }
+}
+
 TEST(GreedyClique, RejectsAForeignStartAndAWrongNumberOfPriorities) {
   const BitsetGraph graph(3);
   EXPECT_THROW(greedy_clique(graph, 3, {}), std::invalid_argument);
