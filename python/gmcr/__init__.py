@@ -7,7 +7,15 @@
 
 from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
-from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
+from ._clouds import (
+    fpfh,
+    match,
+    refine_clouds,
+    register_cloud_instances,
+    register_clouds,
+    voxel_grid,
+    with_pose,
+)
 from ._enums import (
     Evidence,
     Method,
@@ -121,6 +129,7 @@ __all__ = [
     "max_clique",
     "max_weight_clique",
     "refine_clouds",
+    "register_cloud_instances",
     "register_clouds",
     "register_correspondences",
     "register_instances",
