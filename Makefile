@@ -41,7 +41,7 @@ lint: build/.packages-test
 	@tools/make_venv
 	@tools/lint $(GATES)
 
-# the tests of the core, of the readers and of what fuzzing kept with the address and undefined behaviour sanitizers
+# the tests of the core, and the readers on what fuzzing kept, with the address and undefined behaviour sanitizers
 sanitize: build/.packages-test
 	@$(call configure,asan-ubsan)
 	@cmake --build --preset asan-ubsan --target core_tests outside_tests
@@ -50,7 +50,7 @@ sanitize: build/.packages-test
 # all tests but those of Open3D and of other compilers, under either kind of sanitizers: hours
 sanitize-all: build/.packages-test
 	@for preset in asan-ubsan tsan; do cmake --preset $$preset -Wno-dev >build/configure.log 2>&1 \
-	  && cmake --build --preset $$preset --target core_tests outside_tests test_frontend test_synthetic test_cli \
+	  && cmake --build --preset $$preset --target core_tests outside_tests test_io test_report test_frontend test_synthetic test_cli \
 	  && ctest --preset $$preset -L "core|outside|unit" -j2 || exit 1; done
 
 # everything that takes bytes from outside, under libFuzzer: MINUTES of each, or of the TARGETS named
