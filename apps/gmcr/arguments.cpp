@@ -25,6 +25,15 @@ void add_required_verdict(CLI::App& command, Verdict& required) {
       ->group("Answers");
 }
 
+void InstanceArguments::add_to(CLI::App& command) {
+  add_flags(command, limits);
+  CLI::Option* wanted = command.get_option("--max-instances");
+  wanted->type_name("K")->default_str("");
+  for (const char* name : {"--min-instance-inliers", "--min-instance-share"}) {
+    command.get_option(name)->needs(wanted);
+  }
+}
+
 void SolverArguments::add_to(CLI::App& command) {
   add_scale(command, options);
   priors.add_to(command);

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "gmcr/options.hpp"
+#include "gmcr/registration.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Which side of the surface the normals point to. FPFH sees the difference between the sides, so
 /// the two clouds have to agree.
@@ -183,6 +185,22 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// Cost and determinism: those of the two steps.
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend = {}, const Options& options = {});
+
+/// Several instances of the source in the target, such as parts in a bin: `register_clouds`, then
+/// again without the points of the target within 1.5 voxels of the instance, and so on. A pose that
+/// fits about as well somewhere else is another instance, not a rival.
+///
+/// @param options  as for `register_clouds`; `time_limit` is for all of them together.
+/// @return the first whatever it is, so never empty; then those that have a pose, are not
+/// untrusted,
+///   and have the inliers and the share of the distinct evidence of the first that `instances` asks
+///   for. Each is judged by itself; `matches` and indices are those of what was left of the target.
+/// @throws std::invalid_argument as `register_clouds`, and on a bad instance option.
+/// Cost: one registration an instance, and one that finds no more.
+std::vector<CloudResult> register_cloud_instances(const PointsRef& source, const PointsRef& target,
+                                                  const FrontendOptions& frontend = {},
+                                                  const Options& options = {},
+                                                  const InstanceOptions& instances = {});
 
 /// The result at the pose near its own at which the surfaces of the two clouds meet best, as
 /// `register_clouds` refines it; as it is where it has no pose or the surfaces meet best there.

@@ -7,7 +7,15 @@
 
 from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
-from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
+from ._clouds import (
+    fpfh,
+    match,
+    refine_clouds,
+    register_cloud_instances,
+    register_clouds,
+    voxel_grid,
+    with_pose,
+)
 from ._descriptors import match_descriptors
 from ._enums import (
     Evidence,
@@ -129,6 +137,7 @@ __all__ = [
     "max_weight_clique",
     "prepare",
     "refine_clouds",
+    "register_cloud_instances",
     "register_clouds",
     "register_correspondences",
     "register_instances",

@@ -119,10 +119,12 @@ Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& o
   return next;
 }
 
-/// The pose that is clearly better by the surfaces, or better by both them and the matches.
+/// The pose that is clearly better by the surfaces, or better by both them and the matches, where
+/// these were filtered and their agreement says something.
 frontend::Candidate preferred(const Attempt& attempt, frontend::Hypotheses& hypotheses,
                               const Options& options) {
   const frontend::Candidate best = hypotheses.challenged(attempt.candidate);
+  if (!attempt.result.matches.filtered) return best;
   for (const frontend::Candidate& other : hypotheses.better_than(best)) {
     const double evidence = frontend::evidence_of(attempt.result, other, options);
     if (evidence > frontend::evidence_of(attempt.result, best, options)) return other;
