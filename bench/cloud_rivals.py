@@ -33,6 +33,7 @@ import gmcr
 import numpy as np
 from paper.data import DataAbsent, pairs_of, read_points, read_pose
 from paper.problem import Pose
+from reports.page import fold_tables
 
 SETS = (
     "stanford_scans",
@@ -103,8 +104,8 @@ def main() -> int:
 
 
 def replace_block(page: Path, text: str) -> None:
-    block = f"<!-- begin cloud rivals -->\n{text}\n<!-- end cloud rivals -->"
-    pattern = r"<!-- begin cloud rivals -->\n.*?<!-- end cloud rivals -->"
+    block = f"<!-- begin cloud_rivals -->\n{fold_tables(text)}\n<!-- end cloud_rivals -->"
+    pattern = r"<!-- begin cloud_rivals -->\n.*?<!-- end cloud_rivals -->"
     content, count = re.subn(pattern, lambda _: block, page.read_text(), flags=re.DOTALL)
     if count != 1:
         raise SystemExit(f"{page}: no block of cloud rivals")
@@ -120,7 +121,7 @@ def load(folder: Path) -> Pair:
         turn = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
         source = source @ turn.T
         truth = Pose(1.0, truth.rotation @ turn.T, truth.translation)
-    voxel = gmcr.match_clouds(source, target).target_voxel_size
+    voxel = gmcr.match(source, target).target_voxel_size
     name = f"{folder.parent.name}/{folder.name}"
     return Pair(name, np.ascontiguousarray(source), np.ascontiguousarray(target), truth, voxel)
 
@@ -131,7 +132,7 @@ def run_gmcr(pair: Pair, num_threads: int) -> Run:
     seconds = time.perf_counter() - start
     registration = result.registration
     has_pose = registration.status in ("ok", "degenerate")
-    matrix = np.array(registration.target_from_source.matrix) if has_pose else None
+    matrix = np.array(result.matrix()) if has_pose else None
     return Run(matrix, seconds, str(result.verdict))
 
 

@@ -9,8 +9,9 @@
 #include "gmcr/result.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Which side of the surface the normals point to. FPFH sees the difference between the sides, so
 /// the two clouds have to agree.

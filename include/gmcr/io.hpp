@@ -11,8 +11,9 @@
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// A file that cannot be read or written; `what()` is "path:line: reason", or "path: reason".
 class IoError : public std::runtime_error {

@@ -5,8 +5,9 @@
 #include <string_view>
 
 #include "gmcr/frontend.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 namespace frontend {
 class CloudScales;

@@ -8,8 +8,9 @@
 #include "gmcr/frontend.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// What is written beside what a result holds.
 struct ReportContext {
