@@ -40,21 +40,6 @@ using Record = std::map<std::string, std::string>;  // hashes by name
 
 constexpr std::size_t kNumSlowest = 20;
 
-Cases all_cases() {
-  Cases cases;
-  add_known_scale(cases);
-  add_unknown_scale(cases);
-  add_certified(cases);
-  add_drawn(cases);
-  add_degenerate(cases);
-  add_instances(cases);
-  add_evaluations(cases);
-  add_cliques(cases);
-  add_clouds(cases);
-  add_real(cases);
-  return cases;
-}
-
 bool is_asked_for(const Settings& settings, const std::string& name) {
   return name.find(settings.filter) != std::string::npos;
 }
@@ -69,18 +54,6 @@ Cases cases_asked_for(const Settings& settings) {
 int threads_for(const Settings& settings, const Case& item) {
   if (settings.threads > 0) return settings.threads;
   return seed_of(item.name) % 8 == 0 ? 2 : 1;
-}
-
-/// That an input is refused is an answer too.
-Digest digest_of(const Settings& settings, const Case& item) {
-  Digest digest;
-  try {
-    item.solve(digest, threads_for(settings, item));
-  } catch (const std::invalid_argument&) {
-    digest.begin("refused");
-    digest.add(true);
-  }
-  return digest;
 }
 
 std::string in_hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -129,7 +102,7 @@ Record solve_all(const Settings& settings, const Cases& cases) {
   std::map<std::string, Total> totals;
   for (const Case& item : cases) {
     const double start = processor_seconds();
-    const Digest digest = digest_of(settings, item);
+    const Digest digest = digest_of(item, threads_for(settings, item));
     const double seconds = processor_seconds() - start;
     timings.push_back({item.name, seconds});
     totals[item.group].problems += 1;

@@ -25,6 +25,15 @@ void add_required_verdict(CLI::App& command, Verdict& required) {
       ->group("Answers");
 }
 
+void InstanceArguments::add_to(CLI::App& command) {
+  add_flags(command, limits);
+  CLI::Option* wanted = command.get_option("--max-instances");
+  wanted->type_name("K")->default_str("");
+  for (const char* name : {"--min-instance-inliers", "--min-instance-share"}) {
+    command.get_option(name)->needs(wanted);
+  }
+}
+
 void SolverArguments::add_to(CLI::App& command) {
   add_scale(command, options);
   priors.add_to(command);
@@ -50,9 +59,7 @@ CloudFiles::CloudFiles(const CloudArguments& clouds)
                  : clouds.source),
       target(clouds.target) {}
 
-void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
-  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
-  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
+void add_reading(CLI::App& command, CloudOptions& reading) {
   constexpr const char* kGroup = "Files";
   command
       .add_option("--mesh-points", reading.mesh_points,
@@ -68,6 +75,12 @@ void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
       ->check(at_least(0))
       ->type_name("N")
       ->group(kGroup);
+}
+
+void CloudArguments::add_to(CLI::App& command, const Selection& selection) {
+  command.add_option("SOURCE", source, "Cloud to move, or - for stdin")->required();
+  command.add_option("TARGET", target, "Cloud to move it onto, or - for stdin")->required();
+  add_reading(command, reading);
   add_flags(command, frontend, selection);
 }
 

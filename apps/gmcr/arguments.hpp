@@ -20,6 +20,16 @@ void add_scale(CLI::App& command, Options& options);
 /// Adds `--require`: the least verdict with which the tool says that a pose was found.
 void add_required_verdict(CLI::App& command, Verdict& required);
 
+/// Limits on the search for several instances, with `--instances`, which asks for it.
+struct InstanceArguments {
+  InstanceOptions limits;
+
+  void add_to(CLI::App& command);
+
+  /// Whether the command line asked for instances.
+  static bool are_wanted(const CLI::App& command) { return command.count("--max-instances") > 0; }
+};
+
 /// Solver options as they are given on the command line.
 struct SolverArguments {
   Options options;
@@ -33,6 +43,9 @@ struct SolverArguments {
   /// @throws InvalidOption; IoError where the initial pose cannot be read.
   Options resolved() const;
 };
+
+/// Options of how a cloud is read, in a group of their own.
+void add_reading(CLI::App& command, CloudOptions& reading);
 
 /// Two clouds and how to match them: what `register` and `match` share.
 struct CloudArguments {

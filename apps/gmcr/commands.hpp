@@ -20,6 +20,7 @@ using Work = std::function<ExitCode()>;
 void add_register_command(CLI::App& app, Work& work);
 void add_solve_command(CLI::App& app, Work& work);
 void add_match_command(CLI::App& app, Work& work);
+void add_prepare_command(CLI::App& app, Work& work);
 void add_clique_command(CLI::App& app, Work& work);
 void add_synth_command(CLI::App& app, Work& work);
 void add_eval_command(CLI::App& app, Work& work);

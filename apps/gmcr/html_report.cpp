@@ -24,12 +24,17 @@ namespace fs = std::filesystem;
 /// Where the stderr of the Python program goes; its stdout never reaches that of the tool.
 enum class Errors { Shown, Dropped };
 
+/// What `-m gmcr.viz` does, but for packages of the working directory, whoever put them there.
+constexpr const char* kRunViz =
+    "import sys; sys.path[:] = [p for p in sys.path if p]; "  // "": the working directory
+    "import runpy; runpy.run_module('gmcr.viz', run_name='__main__', alter_sys=True)";
+
 /// Runs `python -m gmcr.viz ARGUMENTS`.
 /// @return its exit code, or -1 where it could not be run or was killed.
 int run_python(const std::vector<std::string>& arguments, Errors errors) {
   const char* python = std::getenv("GMCR_PYTHON");
-  std::vector<std::string> words = {python != nullptr && *python != '\0' ? python : "python3", "-m",
-                                    "gmcr.viz"};
+  std::vector<std::string> words = {python != nullptr && *python != '\0' ? python : "python3", "-c",
+                                    kRunViz};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -21,6 +20,7 @@
 #include "help.hpp"
 #include "option_flags.hpp"
 #include "spelling.hpp"
+#include "stderr_text.hpp"
 #include "terminal.hpp"
 
 namespace gmcr::cli {
@@ -36,7 +36,7 @@ Exit codes: 0 pose found, 1 no pose, 2 bad usage or input, 3 file cannot be read
 /// Reports the error on one line of stderr.
 ExitCode fail(ExitCode code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "gmcr: {}\n", message);
+  print_to_stderr("gmcr: " + message + "\n");
   return code;
 }
 
@@ -83,12 +83,14 @@ int run(int argc, char** argv) {
   add_register_command(app, work);
   add_solve_command(app, work);
   add_match_command(app, work);
+  add_prepare_command(app, work);
   add_clique_command(app, work);
   add_synth_command(app, work);
   add_eval_command(app, work);
   add_info_command(app, work);
   add_manual_command(app, work);
   add_completion_command(app, work);
+  for (CLI::App* command : app.get_subcommands(nullptr)) command->group("Commands");
   try {
     app.parse(argc, argv);
     // not left to CLI11, which would not name a command that it does not know

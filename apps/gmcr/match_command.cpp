@@ -29,19 +29,20 @@ struct Arguments {
 ExitCode run(const Arguments& arguments) {
   check_matches_output(arguments.matches);
   const CloudFiles files(arguments.clouds);
-  const Points source = read_points(files.source, arguments.clouds.reading);
-  const Points target = read_points(files.target, arguments.clouds.reading);
+  const ReadPair pair(files.source, files.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
   const CloudMatches matches =
-      match_clouds(source, target, arguments.clouds.frontend, arguments.options);
+      pair.apply(arguments.clouds.frontend, [&](const auto& source, const auto& target) {
+        return match_clouds(source, target, arguments.clouds.frontend, arguments.options);
+      });
   const double seconds = stopwatch.seconds();
   write_matches(arguments.matches, matches.source, matches.target);
   if (arguments.output.json) {
     Json json;
     json["status"] = "ok";
     json["num_correspondences"] = matches.source.cols();
-    json["num_source_points"] = source.cols();
-    json["num_target_points"] = target.cols();
+    json["num_source_points"] = pair.source().cols();
+    json["num_target_points"] = pair.target().cols();
     json["num_source_voxels"] = matches.source_voxels.cols();
     json["num_target_voxels"] = matches.target_voxels.cols();
     json["voxel_size"] = matches.target_voxel_size;

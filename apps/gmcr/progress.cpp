@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "stderr_text.hpp"
 #include "stopwatch.hpp"
 #include "terminal.hpp"
 
@@ -69,16 +69,14 @@ void ProgressLine::run() {
     print(stopwatch.seconds());
     is_shown = true;
   }
-  if (is_shown && is_terminal_) fmt::print(stderr, "\r\033[K");
+  if (is_shown && is_terminal_) print_to_stderr("\r\033[K");
 }
 
 void ProgressLine::print(double seconds) const {
   const std::string share =
       progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
-  fmt::print(stderr, "{}{}{} ({:.0f} s){}",
-             is_terminal_ ? "\r\033[K" : "gmcr: ", words_of(progress_.stage), share, seconds,
-             is_terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  print_to_stderr(fmt::format("{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ",
+                              words_of(progress_.stage), share, seconds, is_terminal_ ? "" : "\n"));
 }
 
 }  // namespace gmcr::cli

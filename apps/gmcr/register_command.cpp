@@ -17,7 +17,8 @@ constexpr const char* kExamples =
     R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
 surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
 for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come
-from the clouds unless given. One of the clouds may be - for stdin.
+from the clouds unless given. One of the clouds may be - for stdin. Files of
+`prepare` bring their features.
 
 Examples:
   gmcr register scan2.ply scan1.ply
@@ -35,11 +36,15 @@ Examples:
   prove the consensus a maximum one, for up to 10 s:
     gmcr register a.ply b.ply --certify --time-limit 10
   the object may be symmetric: the 3 best poses
-    gmcr register model.ply scene.ply --hypotheses 3)";
+    gmcr register model.ply scene.ply --hypotheses 3
+  several of the object in the scene, each judged by itself
+    gmcr register part.stl bin.ply --instances 5)";
 
 struct Arguments {
   CloudArguments clouds;
   SolverArguments solver;
+  bool wants_instances = false;
+  InstanceArguments instances;
   std::string transform;
   std::string aligned;
   std::string matches;
@@ -94,32 +99,48 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudFile
   return written;
 }
 
+/// One result, or one for each instance where these were asked for.
+std::vector<CloudResult> registered(const Arguments& arguments, const ReadPair& pair,
+                                    const Options& options) {
+  const FrontendOptions& frontend = arguments.clouds.frontend;
+  if (arguments.wants_instances) {
+    return register_cloud_instances(pair.source(), pair.target(), frontend, options,
+                                    arguments.instances.limits);
+  }
+  return {pair.apply(frontend, [&](const auto& source, const auto& target) {
+    return register_clouds(source, target, frontend, options);
+  })};
+}
+
 ExitCode run(const Arguments& arguments) {
   if (!arguments.report.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
+  arguments.instances.limits.validate();
   check_outputs(arguments);
   const CloudFiles files(arguments.clouds);
-  const Points source = read_points(files.source, arguments.clouds.reading);
-  const Points target = read_points(files.target, arguments.clouds.reading);
-  CloudResult result;
+  const ReadPair pair(files.source, files.target, arguments.clouds.reading);
+  std::vector<CloudResult> results;
   ReportContext context;
   context.options = &options;
   {
     ProgressLine progress(arguments.output.quiet);
     options.progress = progress.callback();
     const Stopwatch stopwatch;
-    result = register_clouds(source, target, arguments.clouds.frontend, options);
+    results = registered(arguments, pair, options);
     context.total_seconds = stopwatch.seconds();
   }
-  const std::string json = to_json(result, context, kJsonIndent);
+  const CloudResult& result = results.front();
+  const std::string json = arguments.wants_instances ? to_json(results, context, kJsonIndent)
+                                                     : to_json(result, context, kJsonIndent);
   const std::vector<std::string> written =
-      write_files(arguments, files, result, source, target, json);
+      write_files(arguments, files, result, pair.source(), pair.target(), json);
   if (arguments.output.json) {
     print_json(json);
   } else {
     Report report(arguments.output);
-    report.add(report_lines(result, Detail::Full, context));
+    report.add(arguments.wants_instances ? report_lines(results, Detail::Full, context)
+                                         : report_lines(result, Detail::Full, context));
     for (const std::string& path : written) report.line("written", path);
     report.print();
   }
@@ -140,13 +161,15 @@ void add_register_command(CLI::App& app, Work& work) {
                                    FrontendOptions{}.noise_bound_voxels))
       ->default_str("0");
   arguments->solver.add_to(command);
+  arguments->instances.add_to(command);
   add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   const auto add_path = [&](const char* name, std::string& path, const char* help,
                             const char* type) {
     command.add_option(name, path, help)->type_name(type)->group(kOutput);
   };
-  add_path("-o,--output", arguments->transform, "Write the 4 x 4 transform", "T.txt");
+  add_path("-o,--output", arguments->transform, "Write the 4 x 4 transform, of the first instance",
+           "T.txt");
   add_path("--aligned", arguments->aligned, "Write the source after the transform", "CLOUD");
   add_path("--matches", arguments->matches, "Write the matches that inliers index", "MATCHES");
   add_path("--json-file", arguments->json_file, "Write the JSON object to a file too", "FILE");
@@ -154,7 +177,10 @@ void add_register_command(CLI::App& app, Work& work) {
            "FILE.html");
   arguments->output.add_to(command);
   command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &command, &work] {
+    arguments->wants_instances = InstanceArguments::are_wanted(command);
+    work = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace gmcr::cli

@@ -51,7 +51,7 @@ struct Arguments {
   std::string matches;
   SolverArguments solver;
   bool wants_instances = false;
-  InstanceOptions instances;
+  InstanceArguments instances;
   std::string transform_path;
   std::string inliers_path;
   std::string report_path;
@@ -63,7 +63,7 @@ struct Arguments {
 std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
                           const Options& options) {
   if (arguments.wants_instances) {
-    return register_instances(matches.source, matches.target, options, arguments.instances);
+    return register_instances(matches.source, matches.target, options, arguments.instances.limits);
   }
   return {register_correspondences(matches.source, matches.target, options)};
 }
@@ -77,7 +77,7 @@ std::string json_of(const Arguments& arguments, const std::vector<Result>& resul
 ExitCode run(const Arguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
-  arguments.instances.validate();
+  arguments.instances.limits.validate();
   for (const std::string& path :
        {arguments.transform_path, arguments.inliers_path, arguments.report_path}) {
     if (!path.empty()) check_output(path);
@@ -119,15 +119,6 @@ ExitCode run(const Arguments& arguments) {
   return is_ok && best.verdict <= arguments.required ? kPoseFound : kNoPose;
 }
 
-void add_instance_options(CLI::App& command, InstanceOptions& instances) {
-  add_flags(command, instances);
-  CLI::Option* wanted = command.get_option("--max-instances");
-  wanted->type_name("K")->default_str("");
-  for (const char* name : {"--min-instance-inliers", "--min-instance-share"}) {
-    command.get_option(name)->needs(wanted);
-  }
-}
-
 }  // namespace
 
 void add_solve_command(CLI::App& app, Work& work) {
@@ -139,7 +130,7 @@ void add_solve_command(CLI::App& app, Work& work) {
                                  "Largest error of a right match, metres; auto: chosen from the "
                                  "matches. Required unless MATCHES has a 7th column");
   arguments->solver.add_to(command);
-  add_instance_options(command, arguments->instances);
+  arguments->instances.add_to(command);
   add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   command
@@ -160,7 +151,7 @@ void add_solve_command(CLI::App& app, Work& work) {
   arguments->output.add_to(command);
   command.footer(kExamples);
   command.callback([arguments, &command, &work] {
-    arguments->wants_instances = command.count("--max-instances") > 0;
+    arguments->wants_instances = InstanceArguments::are_wanted(command);
     work = [arguments] { return run(*arguments); };
   });
 }

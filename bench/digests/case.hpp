@@ -22,6 +22,12 @@ using Cases = std::vector<Case>;
 /// A seed for a problem: its name's hash, so that more problems do not change the others.
 std::uint64_t seed_of(const std::string& name);
 
+/// All of those below.
+Cases all_cases();
+
+/// That of the answer; that an input is refused is an answer too.
+Digest digest_of(const Case& item, int num_threads);
+
 void add_known_scale(Cases& cases);
 void add_unknown_scale(Cases& cases);
 void add_certified(Cases& cases);

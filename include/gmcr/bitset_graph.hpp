@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 namespace detail {
 
 /// Memory that reads as 0 and that the threads which first write to it bring in, in large pages

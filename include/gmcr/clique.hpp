@@ -9,8 +9,9 @@
 
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// How a clique search may end early and what it may start from.
 struct CliqueOptions {

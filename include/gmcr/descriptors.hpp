@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// A descriptor a column, of any dimension.
 using DescriptorsRef = Eigen::Ref<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "gmcr/options.hpp"
+#include "gmcr/registration.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Which side of the surface the normals point to. FPFH sees the difference between the sides, so
 /// the two clouds have to agree.
@@ -152,9 +154,11 @@ struct CloudResult {
 /// neighbours in feature space.
 ///
 /// @param source, target  3 x N and 3 x M, metres, finite; N and M may differ and may be 0.
-/// @param options  `scale_mode`, `scale`, `noise_bound`, `one_to_one`, `num_threads`, `time_limit`
-///   and `stop` are read; the search for nearest features takes at most 60 % of the time limit, and
-///   ends with what it has (`CloudMatches::share_compared`).
+/// @param options  the priors, `scale_mode`, `scale`, `scale_range`, `noise_bound`, `one_to_one`,
+///   `num_threads`, `time_limit` and `stop` are read; only matches that the priors admit are
+///   sought, by where points can lie and, to 30 degrees, by their normals; the search for nearest
+///   features takes at most 60 % of the time limit, and ends with what it has
+///   (`CloudMatches::share_compared`).
 /// @return no matches where a cloud has fewer than 3 distinct voxels or no surface.
 /// @throws std::invalid_argument where a point is not finite, an option is out of range, or the
 ///   cloud spans too many voxels to number them.
@@ -168,10 +172,12 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// inliers and from how the surfaces meet.
 ///
 /// Where the verdict is not `Trusted`, other settings of the front end are tried, up to
-/// `frontend.max_attempts`. Unless `frontend.refine` is `None`, the poses of all attempts, their
-/// alternatives and the half turns of the best one are refined on the same voxels and compared by
-/// how their surfaces meet; the best is kept, and others that fit about as well are its `rivals`.
-/// A point that fills more than 1 % of a cloud counts once.
+/// `frontend.max_attempts`. Priors of the options are heeded from the matching on: a point is
+/// compared with those that can be its image, whose normals can be its normal's, and the initial
+/// pose, refined, is one of the poses to choose from. Unless `frontend.refine` is `None`, the poses
+/// of all attempts, their alternatives and the half turns of the best one are refined on the same
+/// voxels and compared by how their surfaces meet; the best is kept, and others that fit about as
+/// well are its `rivals`. A point that fills more than 1 % of a cloud counts once.
 /// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size, and with
 ///   `NoiseMode::Estimated` it comes from the matches of each attempt.
 /// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the
@@ -180,6 +186,22 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend = {}, const Options& options = {});
 
+/// Several instances of the source in the target, such as parts in a bin: `register_clouds`, then
+/// again without the points of the target within 1.5 voxels of the instance, and so on. A pose that
+/// fits about as well somewhere else is another instance, not a rival.
+///
+/// @param options  as for `register_clouds`; `time_limit` is for all of them together.
+/// @return the first whatever it is, so never empty; then those that have a pose, are not
+/// untrusted,
+///   and have the inliers and the share of the distinct evidence of the first that `instances` asks
+///   for. Each is judged by itself; `matches` and indices are those of what was left of the target.
+/// @throws std::invalid_argument as `register_clouds`, and on a bad instance option.
+/// Cost: one registration an instance, and one that finds no more.
+std::vector<CloudResult> register_cloud_instances(const PointsRef& source, const PointsRef& target,
+                                                  const FrontendOptions& frontend = {},
+                                                  const Options& options = {},
+                                                  const InstanceOptions& instances = {});
+
 /// The result at the pose near its own at which the surfaces of the two clouds meet best, as
 /// `register_clouds` refines it; as it is where it has no pose or the surfaces meet best there.
 ///
@@ -187,7 +209,8 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
 /// width follows the noise found, first on the voxel clouds of `result.matches`, then on finer ones
 /// of the points, in frames at their centroids. The scale is refined where it is estimated; the
 /// priors are kept. A refined pose is accepted where the surfaces meet more closely, relative to
-/// the noise; the number of inliers has no say.
+/// the noise; the number of inliers has no say. Its half turns, and what were rivals of the pose
+/// before, are compared with it anew (`CloudResult::rivals`).
 /// @param source, target  the clouds that the result is of.
 /// @param options  that the result was computed with; `time_limit` ends the refinement.
 /// @throws std::invalid_argument as `register_clouds`.

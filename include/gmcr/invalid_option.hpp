@@ -4,7 +4,9 @@
 #include <string>
 #include <utility>
 
-namespace gmcr {
+#include "gmcr/visibility.hpp"
+
+namespace GMCR_PUBLIC gmcr {
 
 /// An option is out of range, or does not fit the others. `what()` is "option: problem".
 class InvalidOption : public std::invalid_argument {

@@ -11,8 +11,9 @@
 #include "gmcr/bitset_graph.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// A file that cannot be read or written; `what()` is "path:line: reason", or "path: reason".
 class IoError : public std::runtime_error {
@@ -105,6 +106,10 @@ void check_cloud_output(const std::filesystem::path& path);
 
 /// As `check_output`, and where `write_matches` does not know the extension.
 void check_matches_output(const std::filesystem::path& path);
+
+/// All bytes of a file.
+/// @throws IoError where it is missing, a folder, unreadable or empty.
+std::string read_bytes(const std::filesystem::path& path);
 
 /// Writes a text, whole or not at all.
 /// @throws IoError where the file cannot be written.

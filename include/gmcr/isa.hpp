@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace gmcr {
+#include "gmcr/visibility.hpp"
+
+namespace GMCR_PUBLIC gmcr {
 
 /// Name of the instruction set that the vectorised loops use on this machine, such as "AVX2".
 /// Every one gives the same bits.

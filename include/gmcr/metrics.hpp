@@ -4,8 +4,9 @@
 
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Angle of the rotation between two rotations, degrees in [0, 180] (geodesic distance on SO(3)).
 /// Exact to about 1e-13 degrees for small angles too, where the arccos of the trace is not.

@@ -12,8 +12,9 @@
 #include "gmcr/invalid_option.hpp"
 #include "gmcr/priors.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Magnitudes that coordinates, noise bounds and scales may have: powers of them that a solve takes
 /// neither overflow nor vanish. A coordinate may be 0 as well. docs/reliability.md says more.

@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "gmcr/similarity.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// The direction of gravity (or of any other known axis) in both frames: R turns one onto the
 /// other, up to a tilt. With tilt 0 only the yaw about that direction is unknown.

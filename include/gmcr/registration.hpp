@@ -7,8 +7,9 @@
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Transform that most of the putative correspondences source.col(i) -> target.col(i) agree with.
 ///

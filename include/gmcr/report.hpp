@@ -8,8 +8,9 @@
 #include "gmcr/frontend.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/result.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// What is written beside what a result holds.
 struct ReportContext {
@@ -36,6 +37,12 @@ std::string to_json(const std::vector<Result>& instances, const ReportContext& c
 
 /// The same of two clouds: the schema of `gmcr register --json`.
 std::string to_json(const CloudResult& result, const ReportContext& context = {}, int indent = -1);
+
+/// The same of the first instance in a cloud, and each in `instances`, with its own verdict.
+/// @param instances  at least one.
+/// @throws std::invalid_argument where there is none.
+std::string to_json(const std::vector<CloudResult>& instances, const ReportContext& context = {},
+                    int indent = -1);
 
 /// How good what a line says is.
 enum class Tone { Plain, Good, Fair, Bad };
@@ -68,6 +75,12 @@ std::vector<ReportLine> report_lines(const std::vector<Result>& instances, Detai
 
 /// The same of two clouds, with how their surfaces meet and the verdict.
 std::vector<ReportLine> report_lines(const CloudResult& result, Detail detail,
+                                     const ReportContext& context = {});
+
+/// The same of the first instance in a cloud, and a table of all.
+/// @param instances  at least one.
+/// @throws std::invalid_argument where there is none.
+std::vector<ReportLine> report_lines(const std::vector<CloudResult>& instances, Detail detail,
                                      const ReportContext& context = {});
 
 /// Lines of text: the labels in a column, then the texts.

@@ -10,8 +10,9 @@
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 enum class Status {
   Ok,  ///< `target_from_source` and `inliers` are the answer

@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 /// Similarity transform: x_target = scale * rotation * x_source + translation.
 ///

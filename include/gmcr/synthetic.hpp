@@ -6,8 +6,9 @@
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "gmcr/types.hpp"
+#include "gmcr/visibility.hpp"
 
-namespace gmcr {
+namespace GMCR_PUBLIC gmcr {
 
 enum class SyntheticKind {
   Ball,        ///< random outliers, uniform in the ball around the transformed cloud

@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace gmcr {
+#include "gmcr/visibility.hpp"
+
+namespace GMCR_PUBLIC gmcr {
 
 /// Index of a point, correspondence or vertex.
 using Index = Eigen::Index;

@@ -7,7 +7,16 @@
 
 from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
-from ._clouds import fpfh, match, refine_clouds, register_clouds, voxel_grid, with_pose
+from ._clouds import (
+    fpfh,
+    match,
+    refine_clouds,
+    register_cloud_instances,
+    register_clouds,
+    voxel_grid,
+    with_pose,
+)
+from ._descriptors import match_descriptors
 from ._enums import (
     Evidence,
     Method,
@@ -29,6 +38,7 @@ from ._gmcr import (
     CloudResult,
     Consensus,
     Covariance,
+    DescriptorMatches,
     Diagnostics,
     EvidenceCertificate,
     FrontendOptions,
@@ -37,6 +47,7 @@ from ._gmcr import (
     InstanceOptions,
     NoiseEstimate,
     Options,
+    PreparedCloud,
     Refinement,
     Result,
     RivalPose,
@@ -54,6 +65,7 @@ from ._gmcr import (
     version,
 )
 from ._metrics import PoseErrors, evaluate
+from ._prepared import prepare
 from ._registration import (
     consistency_graph,
     evaluate_consensus,
@@ -75,6 +87,7 @@ __all__ = [
     "CloudResult",
     "Consensus",
     "Covariance",
+    "DescriptorMatches",
     "Diagnostics",
     "Evidence",
     "EvidenceCertificate",
@@ -91,6 +104,7 @@ __all__ = [
     "PointsLike",
     "PoseErrors",
     "PoseLike",
+    "PreparedCloud",
     "Refine",
     "Refinement",
     "Result",
@@ -118,9 +132,12 @@ __all__ = [
     "instruction_sets",
     "make_synthetic",
     "match",
+    "match_descriptors",
     "max_clique",
     "max_weight_clique",
+    "prepare",
     "refine_clouds",
+    "register_cloud_instances",
     "register_clouds",
     "register_correspondences",
     "register_instances",

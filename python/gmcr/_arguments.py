@@ -14,7 +14,12 @@ from ._points import CloudLike, PointsLike, as_array_like, as_cloud, as_points
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import CloudKeywords, InstanceKeywords, SolverKeywords
+    from ._keywords import (
+        CloudInstanceKeywords,
+        CloudKeywords,
+        InstanceKeywords,
+        SolverKeywords,
+    )
 
 __all__ = [
     "CloudLike",
@@ -152,6 +157,19 @@ def instance_options(
     """Options of instances and of the solver, as ``cloud_options``."""
     limits = _of_instances(instances, **keywords)
     return limits, require_bound(_beside(InstanceOptions, options, **keywords))
+
+
+def cloud_instance_options(
+    frontend: FrontendOptions | None,
+    options: Options | None,
+    instances: InstanceOptions | None,
+    **keywords: Unpack[CloudInstanceKeywords],
+) -> tuple[FrontendOptions, Options, InstanceOptions]:
+    """Options of the front end, the solver and instances, as ``cloud_options``."""
+    given: dict[str, Any] = dict(keywords)
+    names = [name for name in given if name in option_names(InstanceOptions)]
+    limits = _of_instances(instances, **{name: given.pop(name) for name in names})
+    return *cloud_options(frontend, options, **given), limits
 
 
 def _of_frontend(frontend: FrontendOptions | None, **keywords: Any) -> FrontendOptions:

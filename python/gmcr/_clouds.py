@@ -14,15 +14,17 @@ from ._arguments import (
     as_cloud,
     as_options,
     as_pose,
+    cloud_instance_options,
     cloud_options,
     solver_options,
 )
-from ._gmcr import CloudMatches, CloudResult, FrontendOptions, Options
+from ._gmcr import CloudMatches, CloudResult, FrontendOptions, InstanceOptions, Options
+from ._prepared import as_prepared_pair
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import CloudKeywords, SolverKeywords
+    from ._keywords import CloudInstanceKeywords, CloudKeywords, SolverKeywords
 
 
 def register_clouds(
@@ -43,7 +45,8 @@ def register_clouds(
     ----------
     source : array_like, shape (N, 3), or path
         Points, metres, finite: an array of any library, an Open3D cloud, a structured array with
-        x, y, z, as of ROS, or a file that ``gmcr.io`` reads. More columns may follow x, y, z.
+        x, y, z, as of ROS, or a file that ``gmcr.io`` reads. More columns may follow x, y, z. Or a
+        ``PreparedCloud``.
     target : array_like, shape (M, 3), or path
         As the source.
     frontend : FrontendOptions, optional
@@ -71,8 +74,54 @@ def register_clouds(
     >>> result.verdict, result.matrix()
     """
     matching, solver = cloud_options(frontend, options, **keywords)
+    prepared = as_prepared_pair(source, target, matching)
+    if prepared is not None:
+        return _gmcr.register_prepared(*prepared, matching, solver)
     return _gmcr.register_clouds(
         as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
+    )
+
+
+def register_cloud_instances(
+    source: CloudLike,
+    target: CloudLike,
+    frontend: FrontendOptions | None = None,
+    options: Options | None = None,
+    instances: InstanceOptions | None = None,
+    **keywords: Unpack[CloudInstanceKeywords],
+) -> list[CloudResult]:
+    """Several instances of the source in the target, such as parts in a bin.
+
+    ``register_clouds``, then again without the points of the target that the instance covers, and
+    so on. A pose that fits about as well somewhere else is another instance, not a rival.
+
+    Parameters
+    ----------
+    source, target : array_like, shape (N, 3) and (M, 3), or path
+        As for ``register_clouds``.
+    frontend : FrontendOptions, optional
+        As for ``register_clouds``.
+    options : Options, optional
+        As for ``register_clouds``; the time limit is for all instances together.
+    instances : InstanceOptions, optional
+        When the search ends.
+    **keywords
+        Fields of ``Options``, ``FrontendOptions`` and ``InstanceOptions``, instead of these.
+
+    Returns
+    -------
+    list of CloudResult
+        Never empty. Those after the first have a pose that is not untrusted; each is judged by
+        itself, on what was left of the target.
+
+    Raises
+    ------
+    ValueError
+        on a wrong shape, a value that is not finite, or an option out of range.
+    """
+    matching, solver, limits = cloud_instance_options(frontend, options, instances, **keywords)
+    return _gmcr.register_cloud_instances(
+        as_cloud(source, "source"), as_cloud(target, "target"), matching, solver, limits
     )
 
 
@@ -102,6 +151,9 @@ def match(
         Matched points, their indices, the clouds after the voxel grid.
     """
     matching, solver = cloud_options(frontend, options, **keywords)
+    prepared = as_prepared_pair(source, target, matching)
+    if prepared is not None:
+        return _gmcr.match_prepared(*prepared, matching, solver)
     return _gmcr.match_clouds(
         as_cloud(source, "source"), as_cloud(target, "target"), matching, solver
     )

@@ -89,6 +89,10 @@ class InstanceKeywords(SolverKeywords, LimitKeywords, total=False):
     """Fields of ``gmcr.Options`` and ``gmcr.InstanceOptions``."""
 
 
+class CloudInstanceKeywords(CloudKeywords, LimitKeywords, total=False):
+    """Fields of ``gmcr.Options``, ``gmcr.FrontendOptions`` and ``gmcr.InstanceOptions``."""
+
+
 class CliqueKeywords(TypedDict, total=False):
     """Fields of ``gmcr.CliqueOptions``."""
 

@@ -11,6 +11,8 @@ void bind_results(nanobind::module_& module);
 void bind_registration(nanobind::module_& module);
 void bind_clouds(nanobind::module_& module);
 void bind_cliques(nanobind::module_& module);
+void bind_prepared(nanobind::module_& module);
+void bind_descriptors(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_synthetic(nanobind::module_& module);
 

@@ -161,6 +161,14 @@ void bind_clouds(nb::module_& module) {
       return register_clouds(points_of(source), points_of(target), frontend, watched);
     });
   });
+  module.def("register_cloud_instances", [](const PointsArray& source, const PointsArray& target,
+                                            const FrontendOptions& frontend, const Options& options,
+                                            const InstanceOptions& instances) {
+    return interruptible(options, [&](const Options& watched) {
+      return register_cloud_instances(points_of(source), points_of(target), frontend, watched,
+                                      instances);
+    });
+  });
   module.def("refine_clouds", [](const CloudResult& result, const PointsArray& source,
                                  const PointsArray& target, const Options& options) {
     return interruptible(options, [&](const Options& watched) {

@@ -42,4 +42,16 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
 CloudMatches match_with(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,
                         const Options& options, const FrontendSetting& setting);
 
+/// `match_clouds` of arguments that were validated.
+CloudMatches match_scales(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,
+                          const Options& options);
+
+/// `register_clouds` of arguments that were validated, of clouds in which no point is repeated
+/// much.
+CloudResult register_scales(CloudScales& source, CloudScales& target,
+                            const FrontendOptions& frontend, const Options& options);
+
+/// @throws InvalidOption where `Options::noise_bounds` are given: the matches are not known yet.
+void refuse_noise_bounds(const Options& options);
+
 }  // namespace gmcr::frontend

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
+#include "frontend/admitted_comparison.hpp"
 #include "kernels/nearest_features.hpp"
 #include "parallel/parallel_for.hpp"
 
@@ -33,18 +35,25 @@ IntegerFeatures as_integers(const Features& features, double resolution) {
 }
 
 struct NearestBothWays {
-  std::vector<NearestFeature> of_source;  ///< index -1: not compared
+  std::vector<NearestFeature> of_source;  ///< index -1: not compared; or `kNoPartner`
   NearestSources of_target;
 };
 
-NearestBothWays find_nearest(const Features& source, const Features& target,
+NearestBothWays find_nearest(const Compacted& from, const Compacted& to,
                              const MatchingOptions& options) {
+  const Features &source = from.features, &target = to.features;
   const double resolution = IntegerFeatures::resolution_for(static_cast<double>(std::max(
       source.colwise().squaredNorm().maxCoeff(), target.colwise().squaredNorm().maxCoeff())));
   const IntegerFeatures sources = as_integers(source, resolution);
   const IntegerFeatures targets = as_integers(target, resolution);
   NearestBothWays nearest{std::vector<NearestFeature>(static_cast<std::size_t>(source.cols())),
                           NearestSources(targets)};
+
+  std::optional<AdmittedComparison> admitted;
+  if (options.priors) {
+    admitted.emplace(Described{from.columns, sources}, Described{to.columns, targets},
+                     *options.priors);
+  }
 
   // a bounded number of blocks, each with its own best sources; merged in order
   const Index grain = std::max<Index>(256, (source.cols() + 31) / 32);
@@ -54,8 +63,13 @@ NearestBothWays find_nearest(const Features& source, const Features& target,
     NearestSources& of_block = of_blocks[static_cast<std::size_t>(begin / grain)];
     for (Index first = begin; first < end; first += kernels::kFeatureQueries) {
       if (options.deadline.expired()) return;
-      kernels::nearest_features(sources, first, std::min(kernels::kFeatureQueries, end - first),
-                                targets, nearest.of_source.data() + first, of_block);
+      const Index count = std::min(kernels::kFeatureQueries, end - first);
+      NearestFeature* const of_sources = nearest.of_source.data() + first;
+      if (admitted) {
+        for (Index k = 0; k < count; ++k) of_sources[k] = admitted->nearest(first + k, of_block);
+      } else {
+        kernels::nearest_features(sources, first, count, targets, of_sources, of_block);
+      }
     }
   });
   for (const NearestSources& of_block : of_blocks) {
@@ -82,14 +96,15 @@ FeatureMatches match_features(const Features& source, const Features& target,
   const Compacted targets = keep_nonzero(target);
   FeatureMatches matches;
   if (sources.columns.empty() || targets.columns.empty()) return matches;
-  const NearestBothWays nearest = find_nearest(sources.features, targets.features, options);
+  const NearestBothWays nearest = find_nearest(sources, targets, options);
   const double squared_ratio = static_cast<double>(options.max_ratio) * options.max_ratio;
   std::vector<NearestFeature> closest(targets.columns.size());
   Index num_compared = 0;
   for (std::size_t i = 0; i < sources.columns.size(); ++i) {
     const NearestFeature& best = nearest.of_source[i];
-    if (best.index < 0) continue;
+    if (best.index == -1) continue;
     ++num_compared;
+    if (best.index < 0) continue;
     closest[static_cast<std::size_t>(best.index)].offer(best.squared_distance,
                                                         static_cast<std::int32_t>(i));
   }

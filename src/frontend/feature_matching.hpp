@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "frontend/fpfh.hpp"
+#include "frontend/match_priors.hpp"
 #include "gmcr/types.hpp"
 #include "parallel/deadline.hpp"
 
@@ -14,6 +15,7 @@ struct MatchingOptions {
   int num_threads = 0;
   bool one_to_one = false;  ///< of the matches of a target, the closest only
   parallel::Deadline deadline = parallel::Deadline::never();  ///< ends the search where it is
+  const MatchPriors* priors = nullptr;  ///< of the same columns; null: any two may match
 };
 
 struct FeatureMatch {
@@ -31,7 +33,8 @@ struct FeatureMatches {
 /// and match nothing.
 ///
 /// Compares all with all: in 33 dimensions a k-d tree visits most of the points anyway, and the
-/// loop runs at the speed of the vector units (`kernels::nearest_features`).
+/// loop runs at the speed of the vector units (`kernels::nearest_features`). With priors it
+/// compares those that they admit.
 /// @return in ascending order of the source; where the deadline ended the search, of a part of it.
 /// Cost O(N M). Deterministic for any thread count.
 FeatureMatches match_features(const Features& source, const Features& target,

@@ -30,10 +30,8 @@ Candidate Hypotheses::best_of(const Result& registration) {
   const Candidate first = judge_.approach(registration.target_from_source, deadline_);
   const std::size_t num_before = seen_.size();
   seen_.push_back(first);
-  if (num_before == 0 && options_.initial_pose) {
-    Similarity prior = options_.initial_pose->target_from_source;
-    prior.scale = first.target_from_source.scale;
-    add(prior, first);
+  if (num_before == 0 && options_.initial_pose && !deadline_.expired()) {
+    seen_.push_back(judge_.approach_initial_pose(first.target_from_source.scale, deadline_));
   }
   for (const Alternative& alternative : registration.alternatives) {
     add(alternative.target_from_source, first);
@@ -45,6 +43,15 @@ Candidate Hypotheses::best_of(const Result& registration) {
   return best;
 }
 
+Candidate Hypotheses::approach(const Similarity& pose, const std::vector<RivalPose>& rivals) {
+  const Candidate candidate = judge_.approach(pose, deadline_);
+  for (const RivalPose& rival : rivals) add(rival.target_from_source, candidate);
+  for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
+    add(turned, candidate);
+  }
+  return candidate;
+}
+
 Candidate Hypotheses::challenged(const Candidate& candidate) {
   for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
     add(turned, candidate);
@@ -54,6 +61,19 @@ Candidate Hypotheses::challenged(const Candidate& candidate) {
     if (other.overlap > kBetter * candidate.overlap && other.overlap > best.overlap) best = other;
   }
   return best;
+}
+
+std::vector<Candidate> Hypotheses::better_than(const Candidate& candidate) const {
+  std::vector<Candidate> better;
+  for (const Candidate& other : seen_) {
+    if (other.overlap > candidate.overlap &&
+        judge_.are_distinct(candidate.target_from_source, other.target_from_source)) {
+      better.push_back(other);
+    }
+  }
+  std::stable_sort(better.begin(), better.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.overlap > b.overlap; });
+  return better;
 }
 
 std::vector<RivalPose> Hypotheses::rivals_of(const Candidate& candidate) const {

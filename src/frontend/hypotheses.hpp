@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "frontend/surface_judge.hpp"
@@ -15,6 +16,10 @@ class Hypotheses {
   Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
              const parallel::Deadline& deadline);
 
+  /// The pose near one from elsewhere at which the surfaces meet best. Its half turns and those
+  /// that were rivals before are looked at for `rivals_of`.
+  Candidate approach(const Similarity& pose, const std::vector<RivalPose>& rivals);
+
   /// The one of the pose and the alternatives of a solve, and at first of the initial pose, at
   /// which the surfaces meet best. The pose itself stays where another one is hardly better.
   Candidate best_of(const Result& registration);
@@ -22,6 +27,9 @@ class Hypotheses {
   /// The best of the half turns of a pose and of all poses that were seen, where the surfaces meet
   /// clearly better there than at the pose; else the pose.
   Candidate challenged(const Candidate& candidate);
+
+  /// Poses that were seen, distinct from this one, at which the surfaces meet better, best first.
+  std::vector<Candidate> better_than(const Candidate& candidate) const;
 
   /// Distinct poses at which the surfaces meet about as well, best first.
   std::vector<RivalPose> rivals_of(const Candidate& candidate) const;

@@ -13,6 +13,13 @@ namespace {
 
 constexpr Index kSamples = 2500;  // of each cloud, for how the surfaces meet
 
+double distinct_evidence(const CloudMatches& matches, const Similarity& pose,
+                         const Options& options) {
+  Options distinct = options_with_bound(options, matches);
+  distinct.evidence = Evidence::Distinct;
+  return evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
+}
+
 /// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
 void measure_fit(CloudResult& result, CentredPair& voxels, const Options& options) {
   const CloudMatches& matches = result.matches;
@@ -27,10 +34,7 @@ void measure_fit(CloudResult& result, CentredPair& voxels, const Options& option
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
   result.surfaces = measure_surfaces(voxels, pose, radius, kSamples, options.num_threads);
-  Options distinct = options_with_bound(options, matches);
-  distinct.evidence = Evidence::Distinct;
-  result.distinct_evidence =
-      evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
+  result.distinct_evidence = distinct_evidence(matches, pose, options);
 }
 
 /// The result with another pose, judged on these voxels.
@@ -64,6 +68,10 @@ std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches) {
   if (matches.source_voxels.cols() == 0 || matches.target_voxels.cols() == 0) return nullptr;
   return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels,
                                        matches.source_voxel_size, matches.target_voxel_size);
+}
+
+double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options) {
+  return distinct_evidence(result.matches, candidate.target_from_source, options);
 }
 
 void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options) {

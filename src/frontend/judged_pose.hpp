@@ -18,6 +18,9 @@ std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches);
 /// @param voxels  `voxel_pair` of its matches, or another one of the same voxels.
 void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options);
 
+/// Distinct evidence of the matches of `result` for the pose of a candidate.
+double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options);
+
 /// `with_pose` at the pose of a candidate, which may have been refined.
 CloudResult take(CloudResult result, const Candidate& candidate, CentredPair& voxels,
                  const Options& options);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -9,10 +10,6 @@
 
 namespace gmcr {
 namespace {
-
-/// Voxel over the extent of the cloud: fine enough for FPFH to see the shape, coarse enough for a
-/// few thousand points.
-constexpr double kVoxelShare = 0.015;
 
 /// Share of the time that is left that may go to the search for nearest features: the rest is for
 /// the pose.
@@ -25,12 +22,6 @@ struct VoxelSizes {
 
 /// A grid that leaves more than this share of the points apart is finer than their spacing.
 constexpr double kSparseShare = 0.7;
-
-/// Voxel size for one cloud alone; 1 where it has no extent, and any size serves.
-double voxel_size_from(frontend::CloudScales& cloud) {
-  const double extent = cloud.extent();
-  return extent > 0 ? kVoxelShare * extent : 1;
-}
 
 /// Smallest of `voxel_size` times 1, sqrt(2), 2 and so on that merges points of a sparse cloud.
 double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
@@ -53,13 +44,13 @@ VoxelSizes choose_voxel_sizes(frontend::CloudScales& source, frontend::CloudScal
   };
   VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
   if (options.scale_mode == ScaleMode::Estimated) {
-    if (sizes.source == 0) sizes.source = fit_spacing(source, voxel_size_from(source));
-    if (sizes.target == 0) sizes.target = fit_spacing(target, voxel_size_from(target));
+    if (sizes.source == 0) sizes.source = fit_spacing(source, source.voxel_size());
+    if (sizes.target == 0) sizes.target = fit_spacing(target, target.voxel_size());
     return sizes;
   }
   if (sizes.target == 0 && sizes.source > 0) sizes.target = sizes.source * options.scale;
   if (sizes.target == 0) {
-    const double size = std::min(voxel_size_from(source) * options.scale, voxel_size_from(target));
+    const double size = std::min(source.voxel_size() * options.scale, target.voxel_size());
     sizes.target = std::max(fit_spacing(source, size / options.scale) * options.scale,
                             fit_spacing(target, size));
   }
@@ -116,10 +107,19 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
       source.features(from, setting.source_side, frontend.source_viewpoint, threads, clock);
   const Features& target_features =
       target.features(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  const auto found = frontend::match_features(
-      source_features, target_features,
-      {frontend.mutual, static_cast<float>(frontend.max_ratio), threads, options.one_to_one,
-       deadline.within(kMatchingShare * deadline.remaining())});
+  frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
+                                     threads, options.one_to_one,
+                                     deadline.within(kMatchingShare * deadline.remaining())};
+  Points source_normals, target_normals;
+  std::optional<MatchPriors> priors;
+  if (MatchPriors::say_something(options)) {
+    source_normals = oriented_normals(from, setting.source_side, frontend.source_viewpoint);
+    target_normals = oriented_normals(to, setting.target_side, frontend.target_viewpoint);
+    priors.emplace(OrientedPoints{from.voxels, source_normals},
+                   OrientedPoints{to.voxels, target_normals}, options, matches.noise_bound);
+    matching.priors = &*priors;
+  }
+  const auto found = frontend::match_features(source_features, target_features, matching);
   matches.share_compared = found.share_compared;
   for (const frontend::FeatureMatch& pair : found.pairs) {
     matches.source_indices.push_back(pair.source);
@@ -133,12 +133,17 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
   return matches;
 }
 
+CloudMatches frontend::match_scales(CloudScales& source, CloudScales& target,
+                                    const FrontendOptions& frontend, const Options& options) {
+  return match_with(source, target, frontend, options,
+                    list_settings(frontend, {source.points(), target.points()}).front());
+}
+
 CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
                           const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   frontend::CloudScales from(source), to(target);
-  return frontend::match_with(from, to, frontend, options,
-                              frontend::list_settings(frontend, {source, target}).front());
+  return frontend::match_scales(from, to, frontend, options);
 }
 
 }  // namespace gmcr

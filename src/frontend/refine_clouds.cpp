@@ -6,6 +6,7 @@
 
 #include "frontend/alignment/refine_pose.hpp"
 #include "frontend/cloud_pair.hpp"
+#include "frontend/hypotheses.hpp"
 #include "frontend/judged_pose.hpp"
 #include "frontend/stage_clock.hpp"
 #include "gmcr/metrics.hpp"
@@ -26,7 +27,7 @@ std::string note_on(const CloudResult& result, const Similarity& matched) {
   std::ostringstream note;
   note << std::setprecision(3) << "ICP turned the pose by "
        << rotation_error_deg(result.registration.target_from_source.rotation, matched.rotation)
-       << " deg; the surfaces meet to " << result.refinement.noise;
+       << " deg; the surfaces meet to " << result.refinement.noise << " m";
   return note.str();
 }
 
@@ -77,8 +78,10 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     return result;
   }
   const auto voxels = frontend::voxel_pair(result.matches);
-  frontend::SurfaceJudge judge(voxels, result.matches.target_voxel_size, options);
-  result = frontend::take(std::move(result), judge.approach(matched, deadline), *voxels, options);
+  frontend::Hypotheses hypotheses(voxels, result.matches.target_voxel_size, options, deadline);
+  const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);
+  result.rivals = hypotheses.rivals_of(candidate);
+  result = frontend::take(std::move(result), candidate, *voxels, options);
   return frontend::settle(std::move(result), source, target, *voxels, matched, options, deadline);
 }
 

@@ -119,12 +119,25 @@ Attempt with_clearer_matches(Attempt next, const Attempt& best, const Options& o
   return next;
 }
 
-/// Looks at the rivals of a pose, and takes one that is clearly better.
+/// The pose that is clearly better by the surfaces, or better by both them and the matches, where
+/// these were filtered and their agreement says something.
+frontend::Candidate preferred(const Attempt& attempt, frontend::Hypotheses& hypotheses,
+                              const Options& options) {
+  const frontend::Candidate best = hypotheses.challenged(attempt.candidate);
+  if (!attempt.result.matches.filtered) return best;
+  for (const frontend::Candidate& other : hypotheses.better_than(best)) {
+    const double evidence = frontend::evidence_of(attempt.result, other, options);
+    if (evidence > frontend::evidence_of(attempt.result, best, options)) return other;
+  }
+  return best;
+}
+
+/// Looks at the rivals of a pose, and takes one that is preferred to it.
 void compare_with_rivals(Attempt& attempt, frontend::Hypotheses& hypotheses,
                          const Options& options) {
   frontend::StageClock clock(attempt.result.registration.diagnostics.stages);
   const Similarity before = attempt.candidate.target_from_source;
-  attempt.candidate = hypotheses.challenged(attempt.candidate);
+  attempt.candidate = preferred(attempt, hypotheses, options);
   attempt.result.rivals = hypotheses.rivals_of(attempt.candidate);
   if (attempt.candidate.target_from_source.matrix() == before.matrix()) {
     frontend::judge(attempt.result);
@@ -185,20 +198,28 @@ bool fits_mirrored(const PointsRef& source, frontend::CloudScales& target,
   return best.result.verdict == Verdict::Trusted;
 }
 
-/// What `register_clouds` does with clouds in which no point is repeated much.
-CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
-                              const FrontendOptions& frontend, const Options& options) {
+}  // namespace
+
+CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
+                                      const FrontendOptions& frontend, const Options& asked) {
+  bool is_stopped = false;  // a caller who wants to stop says so to one stage, and means all
+  Options options = asked;
+  if (asked.progress) {
+    options.progress = [&](const Progress& progress) {
+      is_stopped = is_stopped || !asked.progress(progress);
+      return !is_stopped;
+    };
+  }
   const parallel::Stopwatch stopwatch;
   const parallel::Deadline deadline(options.time_limit, options.stop);
   const bool refines = frontend.refine == Refine::Icp;
   Attempt best;
   std::optional<frontend::Hypotheses> hypotheses;
-  frontend::CloudScales from(source), to(target);
   std::vector<StageTime> stages;
   std::vector<LimitHit> limits;
   int num_attempts = 0;
   for (const frontend::FrontendSetting& setting :
-       frontend::list_settings(frontend, {source, target})) {
+       list_settings(frontend, {source.points(), target.points()})) {
     const bool too_many =
         num_attempts > 0 && best.result.matches.source_voxels.cols() > kMostUnfiltered;
     if (setting.keep_all_matches && too_many) continue;
@@ -210,7 +231,7 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
     }
     Options remaining = refines ? with_hypotheses(options) : options;
     remaining.time_limit = std::max(deadline.remaining(), parallel::kLeastSeconds);
-    auto tried = attempt(from, to, frontend, remaining, setting, num_attempts == 0);
+    auto tried = attempt(source, target, frontend, remaining, setting, num_attempts == 0);
     if (!tried) {
       limits.push_back({Limit::Memory, "the memory budget kept out an attempt with more matches"});
       continue;
@@ -240,12 +261,12 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
     result.refinement.note = "no pose to refine";
     if (result.registration.status == Status::Ok) {
       compare_with_rivals(best, *hypotheses, options);
-      result = frontend::settle(std::move(result), source, target, *best.voxels, best.matched,
-                                options, deadline);
+      result = frontend::settle(std::move(result), source.points(), target.points(), *best.voxels,
+                                best.matched, options, deadline);
     }
     keep_alternatives(result.registration, options);
     if (result.verdict != Verdict::Trusted &&
-        fits_mirrored(source, to, frontend, options, deadline)) {
+        fits_mirrored(source.points(), target, frontend, options, deadline)) {
       result.notes.push_back(
           "the mirrored source fits the target: one of the clouds is left-handed, negate one of "
           "its coordinates");
@@ -257,27 +278,22 @@ CloudResult register_distinct(const PointsRef& source, const PointsRef& target,
   return std::move(result);
 }
 
-}  // namespace
+void frontend::refuse_noise_bounds(const Options& options) {
+  if (options.noise_bounds.empty()) return;
+  throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
+                                          " values for matches that are not known yet");
+}
 
 CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
-  if (!options.noise_bounds.empty()) {
-    throw InvalidOption("noise_bounds", std::to_string(options.noise_bounds.size()) +
-                                            " values for matches that are not known yet");
-  }
+  frontend::refuse_noise_bounds(options);
   const frontend::DistinctCloud from = frontend::without_repeats(source);
   const frontend::DistinctCloud to = frontend::without_repeats(target);
-  bool is_stopped = false;  // a caller who wants to stop says so to one stage, and means all
-  Options lasting = options;
-  if (options.progress) {
-    lasting.progress = [&](const Progress& progress) {
-      is_stopped = is_stopped || !options.progress(progress);
-      return !is_stopped;
-    };
-  }
-  CloudResult result = register_distinct(from.kept ? PointsRef(*from.kept) : source,
-                                         to.kept ? PointsRef(*to.kept) : target, frontend, lasting);
+  const PointsRef source_kept = from.kept ? PointsRef(*from.kept) : source;
+  const PointsRef target_kept = to.kept ? PointsRef(*to.kept) : target;
+  frontend::CloudScales source_scales(source_kept), target_scales(target_kept);
+  CloudResult result = frontend::register_scales(source_scales, target_scales, frontend, options);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
   frontend::add_notes(result, source, target, from, to, frontend, options);

@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -10,7 +12,8 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr double kReach = 3;         // voxels: the matches put a pose within their noise bound
+constexpr double kReach = 3;  // voxels: the matches put a pose within their noise bound
+constexpr double kFarthestReach = 12;
 constexpr double kLeastStep = 1e-2;  // voxels
 constexpr Index kSamples = 2500;
 constexpr Index kFewSamples = 600;
@@ -28,21 +31,30 @@ SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, cons
   centroid_ = pair_->source_centre();
 }
 
-Candidate SurfaceJudge::look(const Similarity& start, Index max_samples,
+Candidate SurfaceJudge::look(const Similarity& start, double reach, Index max_samples,
                              const parallel::Deadline& deadline) {
   const RefinedPose refined =
-      refine_pose(*pair_, start, {voxel_, kReach, max_samples, kLeastStep}, options_, deadline);
+      refine_pose(*pair_, start, {voxel_, reach, max_samples, kLeastStep}, options_, deadline);
   const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_, max_samples,
                                           options_.num_threads);
   return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
 }
 
 Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, kSamples, deadline);
+  return look(start, kReach, kSamples, deadline);
+}
+
+Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Deadline& deadline) {
+  const InitialPose& prior = *options_.initial_pose;
+  Similarity start = prior.target_from_source;
+  start.scale = scale;
+  const double size = std::sqrt(variances_.sum()) * scale;
+  const double off = prior.max_translation + 2 * std::sin(prior.max_rotation / 2) * size;
+  return look(start, std::clamp(off / voxel_, kReach, kFarthestReach), kSamples, deadline);
 }
 
 Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, kFewSamples, deadline);
+  return look(start, kReach, kFewSamples, deadline);
 }
 
 std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {

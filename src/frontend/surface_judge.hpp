@@ -29,6 +29,10 @@ class SurfaceJudge {
   /// The pose near `start` at which the surfaces meet best.
   Candidate approach(const Similarity& start, const parallel::Deadline& deadline);
 
+  /// The same from the initial pose of the options, which may be as far off as its bounds leave it,
+  /// but is followed over twelve voxels at most.
+  Candidate approach_initial_pose(double scale, const parallel::Deadline& deadline);
+
   /// The same by fewer points, to see whether a closer look is worth its time.
   Candidate glance(const Similarity& start, const parallel::Deadline& deadline);
 
@@ -42,7 +46,9 @@ class SurfaceJudge {
   bool are_distinct(const Similarity& a, const Similarity& b) const;
 
  private:
-  Candidate look(const Similarity& start, Index max_samples, const parallel::Deadline& deadline);
+  /// @param reach  voxels: how far the start may be off.
+  Candidate look(const Similarity& start, double reach, Index max_samples,
+                 const parallel::Deadline& deadline);
 
   std::shared_ptr<CentredPair> pair_;
   double voxel_;               ///< metres, target frame

@@ -149,7 +149,6 @@ void check_unnamed_bounds(const std::filesystem::path& path, io::Table& table) {
   constexpr Index kFewRows = 10;  // which tell nothing
   constexpr double kLikelyScore = 0.5;
   constexpr double kLargestShareOfExtent = 0.1;
-  if (table.values.cols() == 0) return;
   const auto bounds = table.values.row(kNumColumns);
   const double low = bounds.minCoeff();
   const double high = bounds.maxCoeff();
@@ -206,6 +205,7 @@ Matches read_matches(const std::filesystem::path& path) {
     const std::size_t line = rows.lines.empty() ? 0 : rows.lines[static_cast<std::size_t>(i)];
     throw IoError(path, line, "row " + std::to_string(i) + " (from 0): " + fault);
   }
+  if (rows.values.cols() == 0) return {Points(3, 0), Points(3, 0), {}, std::move(rows.notes)};
   if (read.has_unnamed_bounds) check_unnamed_bounds(path, rows);
   Matches matches{
       rows.values.topRows<3>(), rows.values.middleRows<3>(3), {}, std::move(rows.notes)};
@@ -221,8 +221,10 @@ void write_matches(const std::filesystem::path& path, const PointsRef& source,
   check_sizes(source, target, noise_bounds);
   const bool has_bounds = !noise_bounds.empty();
   Eigen::MatrixXd rows(has_bounds ? kNumColumnsWithBound : kNumColumns, source.cols());
-  rows.topRows<3>() = source;
-  rows.middleRows<3>(3) = target;
+  if (source.cols() > 0) {  // else there is nothing to point to
+    rows.topRows<3>() = source;
+    rows.middleRows<3>(3) = target;
+  }
   if (has_bounds) {
     rows.row(kNumColumns) = Eigen::Map<const Eigen::RowVectorXd>(noise_bounds.data(), rows.cols());
   }

@@ -116,8 +116,14 @@ std::array<std::size_t, 3> find_coordinates(const std::vector<Field>& fields) {
 
 std::optional<std::array<std::size_t, 3>> find_normal(const std::vector<Field>& fields) {
   constexpr Names kKnown[] = {{"nx", "ny", "nz"}, {"normal_x", "normal_y", "normal_z"}};
+  // what is there twice, or has several values, is no normal, and no reason to refuse the points
+  const auto is_one = [&](std::string_view name) {
+    const auto has_name = [&](const Field& field) { return field.name == name; };
+    const auto at = std::find_if(fields.begin(), fields.end(), has_name);
+    return at != fields.end() && at->count == 1 && std::none_of(at + 1, fields.end(), has_name);
+  };
   for (const Names& names : kKnown) {
-    if (const auto found = find_three(fields, names, true)) return found;
+    if (std::all_of(names.begin(), names.end(), is_one)) return find_three(fields, names, true);
   }
   return std::nullopt;
 }

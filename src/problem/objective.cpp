@@ -17,14 +17,16 @@ bool shares_most(const std::vector<Index>& a, const std::vector<Index>& b) {
 template <Frame frame>
 ObjectiveIn<frame>::ObjectiveIn(const CorrespondencesIn<frame>& correspondences, Evidence evidence,
                                 std::size_t max_bytes, const ScaleRange& scales,
-                                const ScaleBuckets& buckets, const parallel::Deadline& deadline)
+                                const ScaleBuckets& buckets, const parallel::Deadline& deadline,
+                                const CallerCorrespondences* as_given)
     : correspondences_(correspondences),
       source_(correspondences.source.transpose()),
       target_(correspondences.target.transpose()),
       squared_bounds_(correspondences.bounds.square()) {
   if (evidence == Evidence::Distinct) {
-    distinct_.emplace(correspondences.source, correspondences.target, correspondences.bounds,
-                      max_bytes, buckets, scales, deadline);
+    const PointsRef source = as_given ? as_given->source : PointsRef(correspondences.source);
+    const PointsRef target = as_given ? as_given->target : PointsRef(correspondences.target);
+    distinct_.emplace(source, target, correspondences.bounds, max_bytes, buckets, scales, deadline);
   }
   if (is_weighted() && distinct_->depends_on_scale()) return;
   weights_.setOnes(correspondences.size());

@@ -46,10 +46,13 @@ class ObjectiveIn {
   /// @param buckets    by which the weights differ.
   /// @param deadline   where it passes first, each weight is 1, as where the memory does not
   /// suffice.
+  /// @param as_given   the same matches with all their digits, by which copies are told: frames
+  /// that are far out have rounded some away. Null: as they are here.
   ObjectiveIn(const CorrespondencesIn<frame>& correspondences, Evidence evidence,
               std::size_t max_bytes, const ScaleRange& scales = DistinctEvidence::kAllScales,
               const ScaleBuckets& buckets = ScaleBuckets(1),
-              const parallel::Deadline& deadline = parallel::Deadline::never());
+              const parallel::Deadline& deadline = parallel::Deadline::never(),
+              const CallerCorrespondences* as_given = nullptr);
 
   const CorrespondencesIn<frame>& correspondences() const { return correspondences_; }
 

@@ -57,15 +57,17 @@ Problem::Problem(const PointsRef& source, const PointsRef& target, const Options
       foreseen_seconds(size_, scales.min == scales.max) > kFarBeyond * options.time_limit;
   is_sampled_ = !is_whole && (exceeds_memory || exceeds_time);
   if (is_sampled_) run.limit(search_of_a_sample(exceeds_memory ? Limit::Memory : Limit::Time));
-  if (size_ < input_.size()) {
-    correspondences_ =
-        centre(source(Eigen::all, used), target(Eigen::all, used), input_.bounds(used));
-  }
+  const bool is_part = size_ < input_.size();
+  const Points used_source = is_part ? Points(source(Eigen::all, used)) : Points(3, 0);
+  const Points used_target = is_part ? Points(target(Eigen::all, used)) : Points(3, 0);
+  const CallerCorrespondences part{used_source, used_target, input_.bounds(used)};
+  if (is_part) correspondences_ = centre(part.source, part.target, part.bounds);
   constraints_ = {scales, options, correspondences_.source_origin, correspondences_.target_origin};
   {
     const StageTimer timer(run, "evidence");
     objective_.emplace(correspondences_, is_sampled_ ? Evidence::Count : options.evidence,
-                       options.memory_limit / 4, scales, buckets_, run.deadline());
+                       options.memory_limit / 4, scales, buckets_, run.deadline(),
+                       is_part ? &part : &input_);
   }
   if (is_sampled_) {
     if (options.evidence == Evidence::Distinct) run.limit(evidence_counted());

@@ -86,7 +86,10 @@ LimitHit weights_incomplete();
 /// Reports the begin of a stage and adds the time of its own life to it.
 class StageTimer {
  public:
-  StageTimer(Run& run, const char* stage) : run_(run), stage_(stage) { run.report(stage, 0); }
+  StageTimer(Run& run, const char* stage) : run_(run), stage_(stage) {
+    run.report(stage, 0);
+    run.add_stage_time(stage, 0);  // makes its row now: the destructor must not allocate
+  }
   ~StageTimer() { run_.add_stage_time(stage_, lifetime_.elapsed()); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;

@@ -220,10 +220,13 @@ std::string to_json(const std::vector<Result>& instances, const ReportContext& c
   return report::finish(std::move(json), lines, context, indent);
 }
 
-std::string to_json(const CloudResult& result, const ReportContext& context, int indent) {
+namespace report {
+namespace {
+
+/// All of a result of two clouds but the options and the words.
+Json cloud_fields(const CloudResult& result, const ReportContext& context) {
   const CloudMatches& matches = result.matches;
-  report::Json json = report::result_fields(result.registration, context,
-                                            report::noise_bound_of(matches, context.options));
+  Json json = result_fields(result.registration, context, noise_bound_of(matches, context.options));
   json["num_source_points"] = result.num_source_points;
   json["num_target_points"] = result.num_target_points;
   json["num_source_voxels"] = matches.source_voxels.cols();
@@ -240,12 +243,48 @@ std::string to_json(const CloudResult& result, const ReportContext& context, int
                         {"applied", result.refinement.is_applied},
                         {"note", result.refinement.note},
                         {"noise", result.refinement.noise}};
-  json["surfaces"] = report::fields_of(result.surfaces);
+  json["surfaces"] = fields_of(result.surfaces);
   json["ambiguous"] = !result.rivals.empty();
-  json["rivals"] = report::fields_of(result.rivals);
+  json["rivals"] = fields_of(result.rivals);
   json["notes"] = result.notes;
-  return report::finish(std::move(json), report_lines(result, Detail::Full, context), context,
-                        indent);
+  return json;
+}
+
+Json instance_fields(const CloudResult& instance, const Options* options) {
+  Json json =
+      instance_fields(instance.registration, options, noise_bound_of(instance.matches, options));
+  json["verdict"] = to_string(instance.verdict);
+  json["verdict_reason"] = instance.verdict_reason;
+  return json;
+}
+
+/// Adds the times of a further instance.
+void add_times(Json& times, const std::vector<StageTime>& stages) {
+  for (const StageTime& stage : stages) {
+    times[stage.name] = times.value(stage.name, 0.0) + 1000 * stage.seconds;
+  }
+}
+
+}  // namespace
+}  // namespace report
+
+std::string to_json(const CloudResult& result, const ReportContext& context, int indent) {
+  return report::finish(report::cloud_fields(result, context),
+                        report_lines(result, Detail::Full, context), context, indent);
+}
+
+std::string to_json(const std::vector<CloudResult>& instances, const ReportContext& context,
+                    int indent) {
+  const std::vector<ReportLine> lines = report_lines(instances, Detail::Full, context);
+  report::Json json = report::cloud_fields(instances.front(), context);
+  report::Json entries = report::Json::array();
+  for (const CloudResult& instance : instances) {
+    entries.push_back(report::instance_fields(instance, context.options));
+    if (&instance == &instances.front()) continue;
+    report::add_times(json["time_ms"], instance.registration.diagnostics.stages);
+  }
+  json["instances"] = std::move(entries);
+  return report::finish(std::move(json), lines, context, indent);
 }
 
 }  // namespace gmcr

@@ -27,6 +27,15 @@ class Lines {
 /// Status, pose, inliers, certificate, how sure they are, times and limits.
 void add_result(Lines& lines, const Result& result, Detail detail, const ReportContext& context);
 
+/// An instance, and what is said of it.
+struct InstanceRow {
+  const Result& result;
+  Verdict verdict;
+};
+
+/// How many instances there are, and a row for each.
+void add_instances(Lines& lines, const std::vector<InstanceRow>& instances);
+
 /// The verdict in its colour, with its reason.
 void add_verdict(Lines& lines, Verdict verdict, const std::string& reason);
 

@@ -62,6 +62,7 @@ only_from(synthetic geometry)
 only_from(frontend kernels geometry parallel)
 only_from(report options)
 only_from(io -)
+only_from(c options)
 
 # not_of(FOLDER private folders...): FOLDER, of the repository, includes nothing of these folders of src/.
 function(not_of folder)
@@ -76,10 +77,19 @@ function(not_of folder)
   set(failures "${failures}" PARENT_SCOPE)
 endfunction()
 
+# What public headers declare is offered by shared libraries, all of it.
+file(GLOB headers ${ROOT}/include/gmcr/*.hpp)
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} lines REGEX "^namespace gmcr {")
+  if(lines)
+    list(APPEND failures "${header}: namespace GMCR_PUBLIC gmcr, so that shared libraries offer it")
+  endif()
+endforeach()
+
 # The tool and the Python package are users of the library: its public headers, and the table of options.
 set(core geometry parallel kernels clique estimation problem paper refine search proof noise registration)
 foreach(user IN ITEMS apps python/src examples)
-  not_of(${user} ${core} frontend io synthetic report)
+  not_of(${user} ${core} frontend io synthetic report c)
 endforeach()
 # One header of clique/ is for the other folders.
 foreach(folder IN ITEMS problem paper refine search proof noise registration frontend)

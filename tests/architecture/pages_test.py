@@ -18,6 +18,12 @@ GENERATED = {"build", "out", "__pycache__"}
 METHOD, ARCHITECTURE, DECISIONS = "docs/method.md", "docs/architecture.md", "docs/decisions"
 PAGES_OF_NAMES = (METHOD, ARCHITECTURE, "CONTRIBUTING.md")
 RECORDS = "docs/benchmarks.md"
+VERSIONS = {
+    "CITATION.cff": r"^version: (\S+)$",
+    "packaging/conan/conanfile.py": r'^ *version = "([^"]+)"$',
+    "packaging/vcpkg/*/vcpkg.json": r'^ *"version": "([^"]+)",?$',
+    "packaging/ros/*/package.xml": r"<version>([^<]+)</version>",
+}
 PARTS_OF = {"bench/reports/page.md": RECORDS, "bench/paper/discussion.md": RECORDS}
 
 
@@ -208,15 +214,38 @@ def faults_of_layers(root: Path) -> Iterator[str]:
             yield f"{ARCHITECTURE} has no row for src/{folder}"
 
 
+def faults_of_versions(root: Path) -> Iterator[str]:
+    """Files that state another version than the build."""
+    build = root / "CMakeLists.txt"
+    found = (
+        re.search(r"^project\(gmcr VERSION ([\d.]+)", build.read_text(), re.MULTILINE)
+        if build.exists()
+        else None
+    )
+    if not found:
+        return
+    stated = [
+        (path, re.findall(pattern, path.read_text(), re.MULTILINE))
+        for glob, pattern in VERSIONS.items()
+        for path in sorted(root.glob(glob))
+    ]
+    for path, versions in stated:
+        if versions[:1] != [found[1]]:
+            yield f"{path.relative_to(root)} is not of version {found[1]}"
+
+
 CHECKS = (
     faults_of_citations,
     faults_of_names,
     faults_of_links,
     faults_of_decisions,
     faults_of_layers,
+    faults_of_versions,
 )
 
 CLEAN = {
+    "CMakeLists.txt": "project(gmcr VERSION 1.0.0)\n",
+    "CITATION.cff": "title: gmcr\nversion: 1.0.0\n",
     "CONTRIBUTING.md": "Run `make test`, see `src/a.cpp` and [A](docs/architecture.md#a-part).\n",
     "Makefile": "test: build\n",
     METHOD: "### L1. One\n`src/a.cpp`: `f`. `A.Works`\n| (1) | eq:one | a |\n| (2) | none | b |\n",
@@ -276,6 +305,7 @@ class Pages(unittest.TestCase):
                 "only_from(b c)\nonly_from(c -)\n",
                 "differ on what b uses",
             ),
+            ("CITATION.cff", "version: 2.0.0\n", "CITATION.cff is not of version 1.0.0"),
             (f"{DECISIONS}/0002-b.md", "# 2. Second\n", "0002-b.md is not in the index"),
             (f"{DECISIONS}/0003-b.md", "# 3. Third\n", "is not number 2"),
             (f"{DECISIONS}/README.md", index.replace("First", "Other"), "the index calls"),

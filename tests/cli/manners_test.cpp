@@ -45,6 +45,7 @@ TEST(Spelling, OfACommandOrAnOptionIsAnsweredWithTheRightOne) {
 }
 
 TEST(Help, SaysUnitsAndDefaultsInWords) {
+  EXPECT_NE(run_tool("--help").out.find("Commands:\n  register"), std::string::npos);
   for (const char* command : {"register", "solve", "match", "clique", "synth", "eval", "info"}) {
     const std::string help = run_tool(std::string(command) + " --help").out;
     for (const char* noise : {"{false}", " x 3", "18446744073709551615", "inf;", "REQUIRED",

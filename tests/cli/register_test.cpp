@@ -158,5 +158,45 @@ TEST(RegisterOfTooFewPoints, ExitsWithOne) {
             "too_few_correspondences");
 }
 
+TEST_F(Register, OfPreparedCloudsGivesThePoseOfTheClouds) {
+  const json expected = run_json(command());
+  const auto prepare = [&](const std::string& name) {
+    return run_json("prepare " + path(name + ".ply") + " -o " + path(name + ".prepared.ply") +
+                    " --orientation outward --voxel 0.08");
+  };
+  const json prepared = prepare("source");
+  EXPECT_EQ(prepared.at("num_points"), 4000);
+  EXPECT_EQ(prepared.at("voxel_size"), 0.08);
+  prepare("target");
+  const std::string source = path("source.prepared.ply"), target = path("target.prepared.ply");
+  for (const std::string& pair : {source + " " + target, path("source.ply") + " " + target,
+                                  source + " " + path("target.ply")}) {
+    const json result = run_json("register " + pair + " --orientation outward --voxel 0.08");
+    EXPECT_EQ(result.at("target_from_source"), expected.at("target_from_source")) << pair;
+    EXPECT_EQ(result.at("num_source_points"), 4000);
+  }
+  // where points are all that counts, it is a cloud like others
+  EXPECT_EQ(read_cloud(folder_ / "source.prepared.ply").points,
+            read_cloud(folder_ / "source.ply").points);
+  const json matched = run_json("match " + source + " " + target + " --orientation outward -o " +
+                                path("matches.csv"));
+  EXPECT_EQ(matched.at("voxel_size"), 0.08);
+  EXPECT_FALSE(matched.at("time_ms").contains("features"));
+}
+
+TEST_F(Register, OfAPreparedCloudThatDoesNotFitIsRefused) {
+  run_json("prepare " + path("source.ply") + " -o " + path("p.ply") + " --voxel 0.08");
+  std::string content = test::content_of(folder_ / "p.ply");
+  content.back() = static_cast<char>(content.back() ^ 1);
+  write_text(folder_ / "changed.ply", content);
+  test::expect_failure("register " + path("changed.ply") + " " + path("target.ply"), 3,
+                       "the checksum differs");
+  test::expect_failure(
+      "register " + path("p.ply") + " " + path("target.ply") + " --feature-radius 7", 2,
+      "feature-radius");
+  test::expect_failure("prepare " + path("source.ply") + " -o " + path("no/such/folder.ply"), 3,
+                       "folder");
+}
+
 }  // namespace
 }  // namespace gmcr

@@ -231,6 +231,45 @@ TEST(RegisterClouds, TakesTheRefinedPriorForAHypothesis) {
   EXPECT_GT(result.surfaces.overlap(), 1.5);
 }
 
+TEST(RegisterClouds, TakesTheOneOfManyAliasesThatThePriorSays) {
+  const Points source = corridor(0, 1);
+  const Points target = some_motion().apply(corridor(0.7, 2));
+  for (const double off : {-2.7, -0.7, 1.3}) {  // doors come again every 2 m
+    Similarity truth = some_motion();
+    truth.translation += some_motion().rotation * Vector3d(off, 0, 0);
+    Options options;
+    InitialPose prior;
+    prior.target_from_source = truth;
+    prior.target_from_source.translation += some_motion().rotation * Vector3d(0.5, 0.2, 0.1);
+    prior.target_from_source.rotation =
+        Eigen::AngleAxisd(0.1, Vector3d::UnitZ()).toRotationMatrix() * truth.rotation;
+    prior.max_rotation = 0.2;
+    prior.max_translation = 0.8;
+    options.initial_pose = prior;
+    const CloudResult result = register_clouds(source, target, {}, options);
+    const Points error = result.registration.target_from_source.apply(source) - truth.apply(source);
+    EXPECT_LT(error.colwise().norm().mean(), 0.05) << off;
+  }
+}
+
+TEST(RefineClouds, LooksAtTheHalfTurnsOfThePose) {
+  const Vector3d along(3, 0, 0), across(0, 2, 0), up(0, 0, 1), corner(0, 0, 0);
+  const std::vector<std::array<Vector3d, 3>> open_box{{corner, along, across},
+                                                      {corner, along, up},
+                                                      {across, along, up},
+                                                      {corner, across, up},
+                                                      {along, across, up}};
+  const Points source = rectangles(open_box, 1);
+  const Points target = some_motion().apply(rectangles(open_box, 2));
+  FrontendOptions once;
+  once.max_attempts = 1;
+  CloudResult result = with_pose(register_clouds(source, target, once), some_motion(), {});
+  result.rivals.clear();
+  result = refine_clouds(result, source, target);
+  EXPECT_FALSE(result.rivals.empty());
+  EXPECT_NE(result.verdict_reason.find("ambiguous"), std::string::npos) << result.verdict_reason;
+}
+
 TEST(RegisterClouds, EndsWithTheTimeLimitWhereTheMatchingTakesLong) {
   Options options;
   options.time_limit = 0.05;

@@ -11,7 +11,7 @@ import gmcr
 import numpy as np
 import pytest
 import result_schema
-from gmcr.__main__ import main
+from gmcr.__main__ import TOOL
 
 jsonschema = pytest.importorskip("jsonschema", reason="the extra test is not installed")
 
@@ -154,28 +154,17 @@ def test_each_limit_has_its_code(problem: gmcr.SyntheticProblem) -> None:
         assert len(fields["limits_hit"]) == len(fields["limit_codes"])
 
 
-def test_the_tool_without_open3d_writes_all_fields(
-    matches: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("gmcr.__main__.TOOL", Path("/nonexistent/gmcr"))
-    assert main(["solve", str(matches), "--noise-bound", "0.01"]) == 0
-    assert validated(capsys.readouterr().out)["noise_bound"] == 0.01
-    assert main(["solve", str(matches), "--noise-bound", "auto"]) == 0
-    assert "noise_estimate" in validated(capsys.readouterr().out)
+def test_the_tool_of_the_package_writes_all_fields(matches: Path) -> None:
+    assert run(TOOL, "solve", matches, "--noise-bound", "0.01")["noise_bound"] == 0.01
+    assert "noise_estimate" in run(TOOL, "solve", matches, "--noise-bound", "auto")
 
 
-def test_a_page_is_made_from_what_the_tool_without_open3d_writes(
-    matches: Path,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_page_is_made_from_what_the_tool_writes(matches: Path, tmp_path: Path) -> None:
     pytest.importorskip("plotly", reason="the extra viz is not installed")
     from gmcr.viz.__main__ import main as draw
 
-    monkeypatch.setattr("gmcr.__main__.TOOL", Path("/nonexistent/gmcr"))
-    assert main(["solve", str(matches), "--noise-bound", "0.01"]) == 0
-    (tmp_path / "result.json").write_text(capsys.readouterr().out)
+    fields = run(TOOL, "solve", matches, "--noise-bound", "0.01")
+    (tmp_path / "result.json").write_text(json.dumps(fields))
     page = tmp_path / "page.html"
     assert draw(["report", f"{tmp_path / 'result.json'}", f"--matches={matches}", f"-o{page}"]) == 0
     assert "35 of 100 (35.0 %)" in page.read_text()

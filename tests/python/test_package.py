@@ -62,6 +62,12 @@ def test_only_numpy_is_needed_at_run_time():
     assert importlib.metadata.version("gmcr") == gmcr.__version__
 
 
+def test_the_extension_links_what_it_says_and_hides_the_rest():
+    extension = Path(gmcr._gmcr.__file__)
+    done = run("-B", ROOT / "tests/architecture/linked_test.py", extension)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 @pytest.mark.parametrize("name", gmcr.__all__)
 def test_everything_public_is_documented(name):
     thing = getattr(gmcr, name)
@@ -82,15 +88,16 @@ def test_python_m_gmcr_tells_its_version():
 
 
 @pytest.mark.parametrize("suffix", [".npy", ".csv"])
-def test_python_m_gmcr_solves_a_file(problem, tmp_path, capsys, suffix):
+def test_python_m_gmcr_solves_a_file(problem, tmp_path, capfd, suffix):
     path = tmp_path / f"matches{suffix}"
     matches = np.hstack([problem.source, problem.target])
     if suffix == ".npy":
         np.save(path, matches)
     else:
         np.savetxt(path, matches, delimiter=",", header="ax,ay,az,bx,by,bz", comments="")
-    assert main(["solve", str(path), "--noise-bound", "0.01", "--evidence", "count"]) == 0
-    fields = json.loads(capsys.readouterr().out)
+    arguments = ["solve", str(path), "--noise-bound", "0.01", "--evidence", "count", "--json"]
+    assert main(arguments) == 0
+    fields = json.loads(capfd.readouterr().out)
     assert fields["status"] == "ok"
     assert fields["num_inliers"] == len(fields["inliers"]) >= 35
     assert len(fields["certificate"]["inliers"]) == fields["certificate"]["lower"] >= 39
@@ -99,9 +106,15 @@ def test_python_m_gmcr_solves_a_file(problem, tmp_path, capsys, suffix):
     assert main(["solve", str(tmp_path / "none.npy"), "--noise-bound", "1"]) == 3
 
 
-def test_the_wheel_holds_its_extension_and_stub_alone():
+def test_a_package_without_the_tool_says_so(monkeypatch, capsys):
+    monkeypatch.setattr("gmcr.__main__.TOOL", Path("/nonexistent/gmcr"))
+    assert main(["info"]) == 3
+    assert "GMCR_BUILD_APPS=OFF" in capsys.readouterr().err
+
+
+def test_the_wheel_holds_its_extension_stub_and_tool_alone():
     files = {str(path) for path in importlib.metadata.files("gmcr")}
-    assert "gmcr/_gmcr.pyi" in files
+    assert {"gmcr/_gmcr.pyi", "gmcr/bin/gmcr"} <= files
     assert any(name.startswith("gmcr/_gmcr.") and name.endswith(".so") for name in files)
     assert not [name for name in files if name.startswith(("lib", "include", "bin"))]
 

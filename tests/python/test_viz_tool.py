@@ -19,11 +19,12 @@ pytest.importorskip("plotly", reason="the extra viz is not installed")
 
 
 def run(
-    tool: Path, *arguments: object, python: str = sys.executable
+    tool: Path, *arguments: object, python: str = sys.executable, folder: Path | None = None
 ) -> subprocess.CompletedProcess:
     return subprocess.run(
         [str(tool), *map(str, arguments)],
         env={**os.environ, "GMCR_PYTHON": python},
+        cwd=folder,
         capture_output=True,
         text=True,
         timeout=60,
@@ -112,6 +113,20 @@ def test_a_python_without_the_package_is_refused_before_any_work(
             "pip install 'gmcr[viz]'\n"
         )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_report_runs_nothing_of_the_working_directory(
+    tool: Path, matches: Path, tmp_path: Path
+) -> None:
+    for name in ("gmcr", "runpy", "plotly"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").write_text("raise SystemExit('not of the package')")
+    report = tmp_path / "report.html"
+    done = run(
+        tool, "solve", matches, "--noise-bound", 0.02, "--report", report, folder=tmp_path
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert report.exists()
 
 
 def test_a_report_that_cannot_be_written_is_an_error_of_files(tool: Path, matches: Path) -> None:

@@ -125,6 +125,23 @@ TEST(ResultJson, SumsTheStagesOfInstancesAndListsEach) {
   EXPECT_THROW(to_json(std::vector<Result>()), std::invalid_argument);
 }
 
+TEST(CloudResultJson, ListsInstancesWithTheirOwnVerdicts) {
+  CloudResult second = make_cloud_result();
+  second.verdict = Verdict::Untrusted;
+  second.verdict_reason = "nothing meets";
+  const json fields = json::parse(to_json(std::vector{make_cloud_result(), second}));
+  EXPECT_EQ(fields.at("verdict"), "doubtful");
+  EXPECT_EQ(fields.at("num_target_points"), 300);
+  EXPECT_EQ(fields.at("time_ms").at("graph"), 500);
+  ASSERT_EQ(fields.at("instances").size(), 2u);
+  EXPECT_EQ(fields.at("instances").at(0).at("verdict"), "doubtful");
+  EXPECT_EQ(fields.at("instances").at(1).at("verdict"), "untrusted");
+  EXPECT_EQ(fields.at("instances").at(1).at("verdict_reason"), "nothing meets");
+  const auto last_line = fields.at("report").back().at("text").get<std::string>();
+  EXPECT_NE(last_line.find("untrusted"), std::string::npos) << last_line;
+  EXPECT_THROW(to_json(std::vector<CloudResult>()), std::invalid_argument);
+}
+
 TEST(CloudResultJson, AddsWhatTwoCloudsSay) {
   const json fields = json::parse(to_json(make_cloud_result()));
   EXPECT_EQ(fields.at("num_inliers"), 3);

@@ -91,11 +91,12 @@ def _of_matches(pair: Pair, values: dict[str, Any]) -> Row:
 
 
 def _of_clouds(pair: Pair, values: dict[str, Any]) -> Row:
+    from gmcr._prepared import as_prepared
     from gmcr.io import read_points
 
     assert pair.source is not None and pair.target is not None
     started = time.perf_counter()
-    source, target = read_points(pair.source), read_points(pair.target)
+    source, target = (as_prepared(path) or read_points(path) for path in (pair.source, pair.target))
     read_seconds = time.perf_counter() - started
     solver = solver_options(values)
     result = gmcr.register_clouds(source, target, frontend_options(values), solver)

@@ -6,10 +6,13 @@ from collections.abc import Iterable, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from .. import _gmcr
 from .._arguments import CloudLike, cloud_options
 from .._clouds import refine_clouds, register_clouds, with_pose
 from .._enums import Refine, ScaleMode, Verdict
-from .._gmcr import CloudResult, FrontendOptions, Options
+from .._gmcr import CloudResult, FrontendOptions, Options, PreparedCloud
 from ._edge import Edge, point_information
 from ._motion import Matrix
 from ._overlap import overlap_of, require_open3d
@@ -64,7 +67,8 @@ def register_pairs(
 
     Notes
     -----
-    O(number of pairs): one ``register_clouds`` each. Deterministic.
+    O(number of pairs): one ``register_clouds`` each. Where ``voxel_size`` is given each scan is
+    prepared once (``gmcr.prepare``). Deterministic.
     """
     points = as_scans(scans)
     chosen = _check_pairs(_all_pairs(len(points)) if pairs is None else pairs, len(points))
@@ -75,11 +79,36 @@ def register_pairs(
         raise ValueError(f"tolerance: {tolerance} is not positive")
     require_open3d()  # before the long work
     edges = []
+    clouds = _prepared(scans, points, matching, solver)
     for source, target in chosen:
-        best = register_clouds(points[source], points[target], matching, solver)
+        best = register_clouds(clouds[source], clouds[target], matching, solver)
         for result in _hypotheses(best, points[source], points[target], matching, solver):
             edges.append(_edge_of(source, target, result, points[source].mean(axis=0), tolerance))
     return edges
+
+
+def _prepared(
+    scans: Sequence[CloudLike],
+    points: Sequence[Matrix],
+    frontend: FrontendOptions,
+    options: Options,
+) -> list[Matrix | PreparedCloud]:
+    """The scans with what all their pairs need, where these are matched at one voxel size."""
+    is_shared = (
+        frontend.voxel_size > 0
+        and frontend.source_voxel_size == 0
+        and not np.any(frontend.source_viewpoint)
+        and not np.any(frontend.target_viewpoint)
+    )
+    clouds: list[Matrix | PreparedCloud] = []
+    for scan, cloud in zip(scans, points, strict=True):
+        if isinstance(scan, PreparedCloud):
+            clouds.append(scan)
+        elif is_shared:
+            clouds.append(_gmcr.prepare(cloud, frontend, options.num_threads))
+        else:
+            clouds.append(cloud)
+    return clouds
 
 
 def _all_pairs(num_scans: int) -> list[tuple[int, int]]:

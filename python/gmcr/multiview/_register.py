@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from .._arguments import CloudLike
-from .._gmcr import FrontendOptions, Options
+from .._gmcr import FrontendOptions, Options, PreparedCloud
 from ._pairs import register_pairs
 from ._place import place_scans
 from ._result import MultiviewResult
@@ -55,5 +55,9 @@ def register_scans(
     >>> result.poses[2]  # frame of the first scan from that of the third
     """
     points = as_scans(scans)  # files are read once
-    edges = register_pairs(points, pairs, frontend, options, tolerance=tolerance, **keywords)
+    clouds = [
+        scan if isinstance(scan, PreparedCloud) else cloud
+        for scan, cloud in zip(scans, points, strict=True)
+    ]
+    edges = register_pairs(clouds, pairs, frontend, options, tolerance=tolerance, **keywords)
     return place_scans(points, edges)

@@ -44,8 +44,8 @@ def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserSe
     _add_weak_directions(server, outcome, scene, nodes)
     if outcome.has_pose:
         _add_poses(server, outcome, scene, nodes)
-    _add_toggles(server, scene, nodes)
-    _add_distances(server, scene, nodes)
+    boxes = _add_toggles(server, nodes)
+    _add_distances(server, scene, nodes["source"].point_size, boxes["source"])
     _look_at_target(server, scene, size)
     return server
 
@@ -146,7 +146,9 @@ def _add_poses(
         choice.on_update(move)
 
 
-def _add_distances(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
+def _add_distances(
+    server: viser.ViserServer, scene: Scene, point_size: float, source_box: Any
+) -> None:
     """The source in the colours of its distances from the target, after alignment."""
     if scene.distances is None or not len(scene.distances):
         return
@@ -155,7 +157,7 @@ def _add_distances(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any
         "/distances",
         scene.motion.apply(scene.source_cloud[scene.measured.indices]).astype(np.float32),
         colours,
-        point_size=2 * nodes["source"].point_size,
+        point_size=2 * point_size,
         precision="float32",
     )
     node.visible = False
@@ -164,12 +166,12 @@ def _add_distances(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any
     @box.on_update
     def toggle(_: object) -> None:
         node.visible = bool(box.value)
-        nodes["source"].visible = not box.value
+        source_box.value = not box.value  # in its place
 
 
-def _add_toggles(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any]) -> None:
-    for name, node in nodes.items():
-        _add_toggle(server, name.replace("_", " "), node)
+def _add_toggles(server: viser.ViserServer, nodes: dict[str, Any]) -> dict[str, Any]:
+    """A box for each node, by its name, and one size for the points."""
+    boxes = {name: _add_toggle(server, name.replace("_", " "), nodes[name]) for name in nodes}
     point_size = server.gui.add_slider("point size", 0.1, 5.0, 0.1, 1.0)
     unit = nodes["source"].point_size
 
@@ -178,13 +180,17 @@ def _add_toggles(server: viser.ViserServer, scene: Scene, nodes: dict[str, Any])
         for name in ("source", "target"):
             nodes[name].point_size = unit * float(point_size.value)
 
+    return boxes
 
-def _add_toggle(server: viser.ViserServer, label: str, node: Any) -> None:
+
+def _add_toggle(server: viser.ViserServer, label: str, node: Any) -> Any:
     box = server.gui.add_checkbox(label, bool(node.visible))
 
     @box.on_update
     def toggle(_: object) -> None:
         node.visible = bool(box.value)
+
+    return box
 
 
 def _look_at_target(server: viser.ViserServer, scene: Scene, size: float) -> None:

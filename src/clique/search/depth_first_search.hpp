@@ -24,8 +24,8 @@ namespace gmcr::clique {
 template <typename Measure>
 class DepthFirstSearch {
  public:
-  using Value = Measure::Value;
-  using Branch = Measure::Branch;
+  using Value = typename Measure::Value;
+  using Branch = typename Measure::Branch;
 
   /// Ends the search.
   void clear() {

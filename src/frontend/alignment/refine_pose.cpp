@@ -8,13 +8,22 @@ namespace gmcr::frontend {
 namespace {
 
 constexpr double kNarrowRadius = 1.5;  // cells
+constexpr double kNarrowing = 0.7;
 constexpr int kNarrowSteps = 12;
 constexpr double kLeastKernel = 0.02;  // cells
 
-/// One step at each radius on the way from the reach to the narrowest, where it settles.
-std::vector<AlignmentRound> rounds_of(const RefinementScale& scale) {
+/// Where a start is farther off than the matches leave it.
+constexpr double kFarRadius = 4;  // cells
+constexpr int kFarSteps = 3;
+
+/// One step at each radius on the way from the reach to the narrowest, where it settles; a few
+/// where the reach is far.
+std::vector<AlignmentRound> rounds_of(RefinementScale scale) {
   std::vector<AlignmentRound> rounds;
-  for (const double share : {1.0, 0.7, 0.7}) {
+  for (; scale.reach > kFarRadius; scale.reach *= kNarrowing) {
+    rounds.push_back({scale.reach, kFarSteps, scale.least_step, kLeastKernel});
+  }
+  for (const double share : {1.0, kNarrowing, kNarrowing}) {
     const double radius = share * scale.reach;
     if (radius > kNarrowRadius) rounds.push_back({radius, 1, 0, kLeastKernel});
   }

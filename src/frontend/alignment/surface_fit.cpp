@@ -16,6 +16,8 @@ constexpr double kMeeting = 0.6;
 /// normals are noisy; an object whose turn still is held has 0.01.
 constexpr double kWeak = 0.008;
 
+template <int kRows>
+using UpToSix = Eigen::Matrix<double, kRows, Eigen::Dynamic, Eigen::ColMajor, kRows, 6>;
 using Motion = Eigen::Matrix<double, 6, 1>;  // turn times the lever, shift
 
 struct Counts {
@@ -66,9 +68,10 @@ std::vector<WeakDirection> weak_directions_of(const std::vector<PlanePair>& pair
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(stiffness_of(pairs));
   const Index num_weak = (solver.eigenvalues().array() < kWeak).count();
   if (num_weak == 0) return {};
-  const Eigen::MatrixXd weak = solver.eigenvectors().leftCols(num_weak);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> turns(weak.topRows<3>(), Eigen::ComputeFullV);
-  const Eigen::MatrixXd apart = weak * turns.matrixV();
+  // of bounded sizes: a decomposition on the heap frees memory twice where an allocation fails
+  const UpToSix<6> weak = solver.eigenvectors().leftCols(num_weak);
+  const Eigen::JacobiSVD<UpToSix<3>> turns(weak.topRows<3>(), Eigen::ComputeFullV);
+  const UpToSix<6> apart = weak * turns.matrixV();
   std::vector<WeakDirection> directions;
   for (Index k = 0; k < num_weak; ++k) {
     const Eigen::Vector3d turn = apart.col(k).head<3>(), shift = apart.col(k).tail<3>();

@@ -1,0 +1,27 @@
+# What the libraries link, under the names that Debian gives it; other packagers have others. Read by the build and, of
+# static libraries, by whoever finds the package.
+include(CMakeFindDependencyMacro)
+set(gmcr_required "")
+if(NOT CMAKE_FIND_PACKAGE_NAME)
+  set(gmcr_required REQUIRED)
+endif()
+find_dependency(TBB ${gmcr_required})
+find_dependency(hwy 1.0 ${gmcr_required})
+
+find_package(liblzf CONFIG QUIET)
+if(NOT TARGET liblzf::liblzf)
+  find_package(unofficial-liblzf CONFIG QUIET)  # vcpkg
+  add_library(liblzf::liblzf INTERFACE IMPORTED)
+  if(TARGET unofficial::liblzf::liblzf)
+    target_link_libraries(liblzf::liblzf INTERFACE unofficial::liblzf::liblzf)
+  else()
+    find_library(GMCR_LZF_LIBRARY lzf)
+    find_path(GMCR_LZF_INCLUDE_DIR lzf.h PATH_SUFFIXES liblzf)
+    mark_as_advanced(GMCR_LZF_LIBRARY GMCR_LZF_INCLUDE_DIR)
+    if(NOT GMCR_LZF_LIBRARY OR NOT GMCR_LZF_INCLUDE_DIR)
+      message(FATAL_ERROR "liblzf was not found: Debian's liblzf-dev, Fedora's liblzf-devel, vcpkg's liblzf")
+    endif()
+    target_link_libraries(liblzf::liblzf INTERFACE ${GMCR_LZF_LIBRARY})
+    target_include_directories(liblzf::liblzf SYSTEM INTERFACE ${GMCR_LZF_INCLUDE_DIR})
+  endif()
+endif()

@@ -1,0 +1,47 @@
+# Shared libraries of the same objects: what they offer is what the public headers declare, and programs need no more.
+cmake_minimum_required(VERSION 3.22)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+set(prefix ${WORK_DIR}/prefix)
+file(REMOVE_RECURSE ${prefix} ${WORK_DIR}/examples-examples ${WORK_DIR}/examples-c)
+run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK_DIR} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+    -DBUILD_SHARED_LIBS=ON -DGMCR_WARNINGS_AS_ERRORS=ON -DCMAKE_INSTALL_LIBDIR=${LIBDIR})
+run(${CMAKE_COMMAND} --build ${WORK_DIR} --target product)
+
+run(${CMAKE_COMMAND} --install ${WORK_DIR} --prefix ${prefix} --component library)
+file(GLOB libraries ${prefix}/${LIBDIR}/*.so.0.?)
+list(LENGTH libraries count)
+file(GLOB others ${prefix}/${LIBDIR}/*.so ${prefix}/include ${prefix}/${LIBDIR}/cmake)
+if(NOT count EQUAL 6 OR others)
+  message(FATAL_ERROR "the component `library` is not the 6 libraries alone: ${libraries}; ${others}")
+endif()
+
+foreach(library IN LISTS libraries)
+  run(nm -D -C --defined-only ${library})
+  string(REPLACE "[abi:cxx11]" "" output "${output}")
+  string(REGEX REPLACE "[;\\[]|\\]" "_" output "${output}")
+  string(REGEX REPLACE "\n" ";" lines "${output}")
+  set(offered 0)
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^[0-9a-f]* +[A-Za-z] " "" symbol "${line}")
+    string(REGEX REPLACE "@.*" "" symbol "${symbol}")
+    string(REPLACE "gmcr::detail::" "gmcr::" symbol "${symbol}")  # of bitset_graph.hpp
+    string(REGEX REPLACE "^(typeinfo|typeinfo name|vtable) for " "" symbol "${symbol}")
+    if(symbol MATCHES "^(GMCR_.*)?$")
+      continue()
+    endif()
+    if(NOT symbol MATCHES "^gmcr(::[A-Z]|::[a-z_0-9]+(\\(|<|$)|_[a-z_]+$)" OR symbol MATCHES "^gmcr::[a-z]+::")
+      message(FATAL_ERROR "${library} offers ${symbol}")
+    endif()
+    math(EXPR offered "${offered} + 1")
+  endforeach()
+  if(offered EQUAL 0)
+    message(FATAL_ERROR "${library} offers nothing")
+  endif()
+endforeach()
+
+run(${CMAKE_COMMAND} --install ${WORK_DIR} --prefix ${prefix} --component development)
+build_and_run(${ROOT}/examples ${prefix})
+build_and_run(${ROOT}/examples/c ${prefix})
+compile_by_pkg_config(${ROOT}/examples/c/01_pose.c ${prefix})
