@@ -48,6 +48,8 @@ thread_local Watch watch;
 
 }  // namespace
 
+#pragma GCC visibility push(default)  // so that the libraries of the system find them
+
 extern "C" void* malloc(std::size_t size) {
   if (watch.refuses()) {
     errno = ENOMEM;
@@ -94,6 +96,8 @@ extern "C" int posix_memalign(void** block, std::size_t alignment, std::size_t s
   *block = aligned_alloc(alignment, size);
   return *block ? 0 : ENOMEM;
 }
+
+#pragma GCC visibility pop
 
 namespace gmcr {
 namespace {
