@@ -12,13 +12,12 @@ from __future__ import annotations
 
 import argparse
 import collections
-import re
 from collections.abc import Callable
 from pathlib import Path
 
 import gmcr
 import numpy as np
-from reports.page import fold_tables
+from page_block import replace_block
 
 Cloud = np.ndarray
 Matches = tuple[Cloud, Cloud]
@@ -192,16 +191,7 @@ def main() -> None:
     )
     print(text)
     if given.docs:
-        block = f"<!-- begin verdicts -->\n{text}<!-- end verdicts -->"
-        page, count = re.subn(
-            r"<!-- begin verdicts -->\n.*?<!-- end verdicts -->",
-            lambda _: block,
-            given.docs.read_text(),
-            flags=re.DOTALL,
-        )
-        if count != 1:
-            raise SystemExit(f"{given.docs}: no block of verdicts")
-        given.docs.write_text(fold_tables(page))
+        replace_block(given.docs, "verdicts", text)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-# `cpack -G DEB` in a build folder: gmcr (the tool), libgmcr-dev and, with BUILD_SHARED_LIBS, libgmcr0.1.
+# `cpack -G DEB` in a build folder: gmcr (the tool), libgmcr-dev and, with BUILD_SHARED_LIBS, libgmcr0.2.
 set(soname ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_PACKAGE_NAME gmcr)
 set(CPACK_PACKAGE_VENDOR "gmcr")

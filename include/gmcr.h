@@ -65,7 +65,7 @@ typedef struct gmcr_points {
 typedef struct gmcr_options gmcr_options;
 typedef struct gmcr_result gmcr_result;
 
-/* "0.1.0" */
+/* "0.2.0" */
 GMCR_C_API const char* gmcr_version(void);
 
 /* The defaults. NULL where there is no memory. To be freed. */

@@ -52,7 +52,7 @@ def gather(docs: Path, pages: Path) -> None:
 def command_line(tool: Path) -> str:
     """The page of the tool: its help, command by command."""
     overview = _help(tool)
-    commands = re.findall(r"^  (\w+) ", overview.partition("Commands:")[2], re.MULTILINE)
+    commands = re.findall(r"^  (\w+) ", overview.partition("ommands:")[2], re.MULTILINE)
     parts = ["# Command line", "What `gmcr COMMAND --help` prints, and `man gmcr`."]
     for command in ([], *([name] for name in commands if name != "gmcr")):
         name = " ".join(["gmcr", *command])

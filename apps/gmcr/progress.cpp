@@ -76,8 +76,7 @@ void ProgressLine::print(double seconds) const {
   const std::string share =
       progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
   print_to_stderr(fmt::format("{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ",
-                              words_of(progress_.stage), share, seconds,
-                              is_terminal_ ? "" : "\n"));
+                              words_of(progress_.stage), share, seconds, is_terminal_ ? "" : "\n"));
 }
 
 }  // namespace gmcr::cli

@@ -19,9 +19,9 @@ namespace GMCR_PUBLIC gmcr {
 ///
 /// No initial guess is needed, and one that is given is not used. It has converged where the pose
 /// is not `Verdict::Untrusted`; where there is no pose the transformation is the identity. Points
-/// that are not finite are left out. Limits of iterations and distances of the base class have no
-/// say: the options are `frontend` and `options`.
-/// Header only: link gmcr::frontend, and PCL as before. Cost: that of `register_clouds`.
+/// that are not finite are left out, though PCL's own `getFitnessScore` takes none. Limits of
+/// iterations and distances of the base class have no say: the options are `frontend` and
+/// `options`. Header only: link gmcr::frontend, and PCL as before. Cost: that of `register_clouds`.
 template <class PointSource, class PointTarget, class Scalar = float>
 class PclRegistration : public pcl::Registration<PointSource, PointTarget, Scalar> {
   using Base = pcl::Registration<PointSource, PointTarget, Scalar>;

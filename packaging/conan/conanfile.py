@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 class Gmcr(ConanFile):
     name = "gmcr"
-    version = "0.1.0"
+    version = "0.2.0"
     license = "MIT"
     description = "Graph-based maximum consensus registration of 3-D point sets"
     package_type = "library"

@@ -17,10 +17,10 @@ constexpr double kTrustedEvidence = 4.5;
 // Shares of a cloud that the other covers.
 constexpr double kLeastCoverage = 0.2;
 constexpr double kPlausibleCoverage = 0.5;
-// What meets in right poses has normals that agree to 0.6 and more, and lies within 0.16 voxels;
-// mirrored clouds, whose wrong poses have up to 85 inliers, lie 0.2 to 0.28 apart.
+// What meets in right poses has normals that agree to 0.6 and more, and lies within 0.158 voxels;
+// mirrored clouds, whose wrong poses have up to 85 inliers, lie 0.164 to 0.29 apart.
 constexpr double kLeastAgreement = 0.5;
-constexpr double kMostNoise = 0.18;
+constexpr double kMostNoise = 0.16;
 // Bare ground leaves three motions open, a corridor or an edge one.
 constexpr std::size_t kFewWeak = 1;
 

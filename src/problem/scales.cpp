@@ -12,7 +12,7 @@ constexpr double kSizeFactor = 20;
 
 /// Median distance of the points from their median point, of an even selection of very many.
 double median_radius(const PointsRef& points) {
-  constexpr Index kEnough = 16384;
+  constexpr Index kEnough = 4096;
   if (points.cols() == 0) return 0;
   if (points.cols() > kEnough) {
     return median_radius(points(Eigen::all, stratified_selection(points.cols(), kEnough)));

@@ -30,6 +30,17 @@ _BLOCK = re.compile(
     r"^```(?P<language>\w*)\n(?P<code>.*?)^```$|^<!-- run\n(?P<hidden>.*?)^-->$",
     re.DOTALL | re.MULTILINE,
 )
+#: What the reader of a page has at hand.
+PRELUDES = {
+    "python": """
+import gmcr, gmcr.io, gmcr.viz, numpy as np
+source = gmcr.io.read_points("scan_2.ply")
+target = source @ gmcr.make_synthetic(num_correspondences=3, seed=9).target_from_source.rotation.T
+source_features = np.random.default_rng(1).normal(size=(len(source), 16))
+target_features = source_features
+paths = ["scan_1.ply", "scan_2.ply"]
+"""
+}
 _FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
@@ -71,12 +82,15 @@ def run_page(path: Path, folder: Path, tool: Path) -> int:
         naming page and line, where a block fails or prints something else.
     """
     names: dict[str, Any] = {"__name__": path.stem}
+    exec(PRELUDES.get(path.stem, ""), names)
     printed: str | None = None
     num_run = 0
     for block in blocks_of(path.read_text()):
         place = f"{path.name}:{block.line}"
         if block.language == "python":
             printed = _run_python(block.code, names, place)
+        elif block.language == "sh" and all(map(_installs, block.code.splitlines())):
+            printed = ""
         elif block.language == "sh":
             printed = _run_shell(block.code, folder, tool, place)
         else:
@@ -86,7 +100,13 @@ def run_page(path: Path, folder: Path, tool: Path) -> int:
             printed = None
             continue
         num_run += 1
+    if "server" in names:
+        names["server"].stop()
     return num_run
+
+
+def _installs(line: str) -> bool:
+    return line.startswith("pip install ")
 
 
 def _run_python(code: str, names: dict[str, Any], place: str) -> str:

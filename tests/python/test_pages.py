@@ -24,6 +24,7 @@ PAGES = [
         "which_tool",
         "json",
         "multiview",
+        "python",
         "scale",
     )
 ] + sorted((DOCS / "cookbook").glob("*.md"))
