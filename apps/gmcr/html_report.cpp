@@ -62,7 +62,8 @@ int run_python(const std::vector<std::string>& arguments, Errors errors) {
 void require_html_reports() {
   if (run_python({"check"}, Errors::Dropped) != 0) {
     throw std::invalid_argument(
-        "--report needs the Python package gmcr with its viz extra: pip install 'gmcr[viz]'");
+        "--report needs the Python package gmcr with its viz extra: pip install '.[viz]' in its "
+        "sources");
   }
 }
 

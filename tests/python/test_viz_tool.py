@@ -110,7 +110,7 @@ def test_a_python_without_the_package_is_refused_before_any_work(
         assert done.stdout == ""
         assert done.stderr == (
             "gmcr: --report needs the Python package gmcr with its viz extra: "
-            "pip install 'gmcr[viz]'\n"
+            "pip install '.[viz]' in its sources\n"
         )
     assert list(tmp_path.iterdir()) == []
 

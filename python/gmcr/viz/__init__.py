@@ -1,6 +1,6 @@
 """Pictures of results: a page to walk through, a report to send, a figure for notebooks.
 
-Needs the extra ``viz``: ``pip install 'gmcr[viz]'``.
+Needs the extra ``viz``: ``pip install '.[viz]'`` in the sources.
 
 >>> gmcr.viz.report(result, source, target, "report.html", noise_bound=0.02)
 >>> gmcr.viz.plot(result, source, target, noise_bound=0.02)
@@ -173,4 +173,4 @@ def _known_options(options: Options | None, **keywords: Unpack[SolverKeywords]) 
 
 def _require(package: str) -> None:
     if importlib.util.find_spec(package) is None:
-        raise ImportError(f"gmcr.viz needs {package}: pip install 'gmcr[viz]'")
+        raise ImportError(f"gmcr.viz needs {package}: pip install '.[viz]' in the sources of gmcr")
