@@ -110,7 +110,7 @@ TEST_F(AnswerOption, OutOfRangeIsRefusedByItsName) {
   fails("--min-instance-inliers 9", "--min-instance-inliers requires --max-instances");
   fails("--min-instance-share 0.5", "--min-instance-share requires --max-instances");
   expect_failure("register a.ply b.ply --hypotheses 0", 2, "--hypotheses");
-  expect_failure("register a.ply b.ply --instances 2", 2, "--instances");
+  expect_failure("register a.ply b.ply --instances 0", 2, "--instances: 0 is not at least 1");
 }
 
 TEST_F(AnswerOption, OneToOneCountsMatchesThatShareAPointOnce) {
