@@ -36,7 +36,7 @@ test: build/.packages-test
 	@build/venv/bin/python -m pytest -q tests/python
 
 # clang-format, headers alone, ruff, mypy, clang-tidy, or those of them that GATES names
-lint: build/.packages-test
+lint: build/.packages-test build/.packages-bench
 	@$(call configure,release)
 	@tools/make_venv
 	@tools/lint $(GATES)

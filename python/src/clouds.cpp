@@ -1,3 +1,5 @@
+#include <nanobind/stl/vector.h>
+
 #include "bindings.hpp"
 #include "gmcr/frontend.hpp"
 #include "interruptible.hpp"

@@ -48,8 +48,9 @@ void bound_all_inliers(Found& found, const Problem& problem) {
 /// stay as they are.
 std::vector<problem::CentredPose> fitted_poses(const Problem& problem, const Found& found,
                                                Run& run) {
-  const bool in_time = !problem.is_hurried() && !run.cancelled();
-  if (problem.options().method == Method::Paper || !in_time) return found.poses;
+  if (problem.options().method == Method::Paper || problem.is_hurried()) return found.poses;
+  // a stop is said even where the search had ended
+  if (run.cancelled() && run.stopped()) return found.poses;
   const problem::StageTimer timer(run, "fit");
   return refine::most_likely_poses(problem, found.poses);
 }

@@ -83,7 +83,7 @@ def test_everything_public_is_documented(name):
 
 
 def test_python_m_gmcr_tells_its_version():
-    done = run("-m", "gmcr", "info")
+    done = run("-m", "gmcr", "info", "--json")
     assert json.loads(done.stdout)["version"] == gmcr.__version__
 
 

@@ -227,5 +227,5 @@ def test_missing_extra_is_named(
     result: gmcr.Result, problem: gmcr.SyntheticProblem, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
-    with pytest.raises(ImportError, match=r"pip install 'gmcr\[viz\]'"):
+    with pytest.raises(ImportError, match=r"pip install '\.\[viz\]'"):
         gmcr.viz.plot(result, problem.source, problem.target)
