@@ -60,6 +60,7 @@ HWY_INLINE Vector bin_of(Vector value) {
 
 HWY_INLINE Vector theta_bin(Vector x, Vector y) {
   const Lanes lanes;
+  constexpr int kMiddle = kAngleBins / 2;
   const Vector away = hn::Abs(y), one = hn::Set(lanes, 1.0);
   Vector passed = hn::Zero(lanes);
   for (const ThetaEdge& edge : kThetaEdges) {
@@ -67,7 +68,7 @@ HWY_INLINE Vector theta_bin(Vector x, Vector y) {
         hn::Gt(hn::Mul(away, hn::Set(lanes, edge.cosine)), hn::Mul(x, hn::Set(lanes, edge.sine)));
     passed = hn::Add(passed, hn::IfThenElseZero(is_passed, one));
   }
-  return hn::Add(hn::Set(lanes, static_cast<double>(kAngleBins / 2)), hn::CopySignToAbs(passed, y));
+  return hn::Add(hn::Set(lanes, double{kMiddle}), hn::CopySignToAbs(passed, y));
 }
 
 }  // namespace
