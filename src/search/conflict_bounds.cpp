@@ -51,7 +51,7 @@ problem::PerMeasure bounds_by_conflicts(const problem::Problem& problem,
   const auto num_others = static_cast<Index>(others.size());
   // as many as the others, where a random one conflicts with most
   const Index num_judges = std::min(best.num_inliers(), num_others + num_others / 4 + kBitsPerWord);
-  if (!problem.scale_is_known() || num_others * num_judges > kMostPairs) {
+  if (num_judges == 0 || !problem.scale_is_known() || num_others * num_judges > kMostPairs) {
     return {static_cast<double>(problem.size()), total};
   }
   // the others first, then some inliers: a row is read from where these begin
