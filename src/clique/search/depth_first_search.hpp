@@ -24,8 +24,10 @@ namespace gmcr::clique {
 template <typename Measure>
 class DepthFirstSearch {
  public:
+  // NOLINTBEGIN(readability-redundant-typename): clang 14 asks for it
   using Value = typename Measure::Value;
   using Branch = typename Measure::Branch;
+  // NOLINTEND(readability-redundant-typename)
 
   /// Ends the search.
   void clear() {
