@@ -31,22 +31,10 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 import gmcr
 import numpy as np
-from paper.data import DataAbsent, pairs_of, read_points, read_pose
+from paper.data import CLOUD_SETS, DataAbsent, pairs_of, read_points, read_pose
 from paper.problem import Pose
 from reports.page import fold_tables
 
-SETS = (
-    "stanford_scans",
-    "mian_views",
-    "mining_lidar",
-    "lidar",
-    "3dmatch",
-    "rgbd_frames",
-    "objects_uwa",
-    "objects_ycb",
-    "object_scans",
-    "objects_rgbd",
-)
 KISS_VOXEL = 0.3  # metres: its default, and where its other defaults hold
 MAX_ERROR_DEG = 5.0
 MAX_ERROR_OF_EXTENT = 0.05
@@ -73,7 +61,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=Path("out/bench/cloud_rivals.jsonl"))
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
-    parser.add_argument("--sets", default=",".join(SETS), help="comma between")
+    parser.add_argument("--sets", default=",".join(CLOUD_SETS), help="comma between")
     parser.add_argument("--docs", type=Path, help="page whose block is replaced")
     given = parser.parse_args()
     methods = {

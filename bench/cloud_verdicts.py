@@ -22,21 +22,9 @@ import gmcr.io
 import numpy as np
 import scenes
 from page_block import replace_block
-from paper.data import data_root, pairs_of, read_points
+from paper.data import CLOUD_SETS, data_root, pairs_of, read_points
 from scenes import Scan
 
-SETS = (
-    "stanford_scans",
-    "mian_views",
-    "mining_lidar",
-    "lidar",
-    "3dmatch",
-    "rgbd_frames",
-    "objects_uwa",
-    "objects_ycb",
-    "object_scans",
-    "objects_rgbd",
-)
 MAX_ERROR_DEG = 5.0
 MAX_ERROR_OF_EXTENT = 0.05
 MAX_VOXELS_AWAY = 2.0
@@ -50,7 +38,7 @@ LEAST_AGREEMENT, MOST_NOISE = 0.5, 0.16
 def real_scans() -> dict[str, list[Scan]]:
     """The pairs of shared/data by set; those that hardly move are turned."""
     sets = {}
-    for name in SETS:
+    for name in CLOUD_SETS:
         sets[name] = []
         for folder in pairs_of(name):
             source, target = (read_points(folder / f"{side}.ply") for side in ("source", "target"))

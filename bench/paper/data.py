@@ -12,6 +12,20 @@ from paper.problem import Pose, pose_from_matrix
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
+# pairs of raw clouds, a folder each
+CLOUD_SETS = (
+    "stanford_scans",
+    "mian_views",
+    "mining_lidar",
+    "lidar",
+    "3dmatch",
+    "rgbd_frames",
+    "objects_uwa",
+    "objects_ycb",
+    "object_scans",
+    "objects_rgbd",
+)
+
 
 class DataAbsent(Exception):
     """A set that an experiment needs is not there; the message says which."""
