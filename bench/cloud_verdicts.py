@@ -30,7 +30,7 @@ MAX_ERROR_OF_EXTENT = 0.05
 MAX_VOXELS_AWAY = 2.0
 TIME_LIMIT = 8.0  # seconds a pair
 FACTORS = (0.25, 0.5, 0.7, 0.85, 1.0, 1.15, 1.4, 2.0)
-# the limits that a factor makes stricter or laxer, as src/frontend/verdict.cpp has them
+# the limits that a factor makes stricter or laxer, as src/frontend/judgement/verdict.cpp has them
 TRUSTED_INLIERS, TRUSTED_EVIDENCE, LEAST_COVERAGE = 30, 4.5, 0.2
 LEAST_AGREEMENT, MOST_NOISE = 0.5, 0.16
 

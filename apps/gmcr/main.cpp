@@ -13,15 +13,15 @@
 #include <string>
 #include <system_error>
 
-#include "commands.hpp"
+#include "arguments/help.hpp"
+#include "arguments/option_flags.hpp"
+#include "arguments/spelling.hpp"
+#include "commands/commands.hpp"
 #include "gmcr/invalid_option.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
-#include "help.hpp"
-#include "option_flags.hpp"
-#include "spelling.hpp"
-#include "stderr_text.hpp"
-#include "terminal.hpp"
+#include "output/stderr_text.hpp"
+#include "output/terminal.hpp"
 
 namespace gmcr::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "frontend/alignment/surface_cloud.hpp"
-#include "frontend/verdict.hpp"
+#include "frontend/judgement/verdict.hpp"
 #include "gmcr/frontend.hpp"
 #include "gmcr/registration.hpp"
 #include "parallel/deadline.hpp"

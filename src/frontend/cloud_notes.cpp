@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "frontend/cloud_pair.hpp"
-#include "frontend/extent.hpp"
+#include "frontend/points/extent.hpp"
 
 namespace gmcr::frontend {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frontend/cloud_scales.hpp"
+#include "frontend/features/cloud_scales.hpp"
 #include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {

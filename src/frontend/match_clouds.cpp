@@ -5,7 +5,7 @@
 #include <string>
 
 #include "frontend/cloud_pair.hpp"
-#include "frontend/feature_matching.hpp"
+#include "frontend/matching/feature_matching.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr {

@@ -7,7 +7,7 @@
 
 #include "frontend/cloud_notes.hpp"
 #include "frontend/cloud_pair.hpp"
-#include "frontend/prepared_file.hpp"
+#include "frontend/features/prepared_file.hpp"
 #include "gmcr/invalid_option.hpp"
 
 namespace gmcr {

@@ -6,9 +6,9 @@
 
 #include "frontend/alignment/refine_pose.hpp"
 #include "frontend/cloud_pair.hpp"
-#include "frontend/hypotheses.hpp"
-#include "frontend/judged_pose.hpp"
-#include "frontend/stage_clock.hpp"
+#include "frontend/features/stage_clock.hpp"
+#include "frontend/judgement/hypotheses.hpp"
+#include "frontend/judgement/judged_pose.hpp"
 #include "gmcr/metrics.hpp"
 
 namespace gmcr {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frontend/surface_judge.hpp"
+#include "frontend/judgement/surface_judge.hpp"
 #include "gmcr/frontend.hpp"
 #include "parallel/deadline.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "gmcr/io.hpp"
 #include "io/new_file.hpp"
-#include "io/text.hpp"
+#include "io/tables/text.hpp"
 
 namespace gmcr::io {
 namespace {

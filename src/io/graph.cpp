@@ -3,7 +3,7 @@
 
 #include "gmcr/io.hpp"
 #include "io/file.hpp"
-#include "io/text.hpp"
+#include "io/tables/text.hpp"
 
 namespace gmcr {
 namespace {

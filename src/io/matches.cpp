@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "gmcr/io.hpp"
+#include "io/clouds/npy.hpp"
 #include "io/file.hpp"
-#include "io/npy.hpp"
-#include "io/table.hpp"
-#include "io/text.hpp"
+#include "io/tables/table.hpp"
+#include "io/tables/text.hpp"
 
 namespace gmcr {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "gmcr/io.hpp"
 #include "io/file.hpp"
-#include "io/table.hpp"
-#include "io/text.hpp"
+#include "io/tables/table.hpp"
+#include "io/tables/text.hpp"
 
 namespace gmcr {
 namespace {

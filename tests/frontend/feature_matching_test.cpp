@@ -1,4 +1,4 @@
-#include "frontend/feature_matching.hpp"
+#include "frontend/matching/feature_matching.hpp"
 
 #include <gtest/gtest.h>
 

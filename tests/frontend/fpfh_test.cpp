@@ -1,4 +1,4 @@
-#include "frontend/fpfh.hpp"
+#include "frontend/features/fpfh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "frontend/normals.hpp"
+#include "frontend/features/normals.hpp"
 #include "frontend/shapes.hpp"
 
 namespace gmcr::frontend {

@@ -1,4 +1,4 @@
-#include "frontend/match_priors.hpp"
+#include "frontend/matching/match_priors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "frontend/feature_matching.hpp"
+#include "frontend/matching/feature_matching.hpp"
 #include "frontend/shapes.hpp"
 
 namespace gmcr::frontend {

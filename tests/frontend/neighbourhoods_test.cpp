@@ -1,4 +1,4 @@
-#include "frontend/neighbourhoods.hpp"
+#include "frontend/points/neighbourhoods.hpp"
 
 #include <gtest/gtest.h>
 

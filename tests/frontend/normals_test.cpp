@@ -1,4 +1,4 @@
-#include "frontend/normals.hpp"
+#include "frontend/features/normals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <open3d/geometry/PointCloud.h>
 #include <open3d/pipelines/registration/Feature.h>
 
-#include "frontend/fpfh.hpp"
-#include "frontend/normals.hpp"
+#include "frontend/features/fpfh.hpp"
+#include "frontend/features/normals.hpp"
 #include "frontend/shapes.hpp"
 
 namespace gmcr::frontend {

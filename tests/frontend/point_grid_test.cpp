@@ -1,4 +1,4 @@
-#include "frontend/point_grid.hpp"
+#include "frontend/points/point_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "frontend/alignment/surface_cloud.hpp"
-#include "frontend/cell_order.hpp"
+#include "frontend/points/cell_order.hpp"
 #include "frontend/shapes.hpp"
 
 namespace gmcr::frontend {

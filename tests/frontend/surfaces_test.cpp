@@ -13,9 +13,9 @@
 
 #include "frontend/alignment/surface_fit.hpp"
 #include "frontend/cloud_notes.hpp"
+#include "frontend/judgement/surface_judge.hpp"
+#include "frontend/judgement/verdict.hpp"
 #include "frontend/shapes.hpp"
-#include "frontend/surface_judge.hpp"
-#include "frontend/verdict.hpp"
 #include "gmcr/frontend.hpp"
 #include "gmcr/metrics.hpp"
 

@@ -6,8 +6,8 @@
 #include "fuzz/target.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/metrics.hpp"
+#include "input/read_estimate.hpp"
 #include "io/temporary_folder.hpp"
-#include "read_estimate.hpp"
 
 namespace gmcr::fuzz {
 namespace {

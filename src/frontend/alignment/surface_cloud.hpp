@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "frontend/point_grid.hpp"
+#include "frontend/points/point_grid.hpp"
 #include "gmcr/types.hpp"
 
 namespace gmcr::frontend {

@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "arguments/arguments.hpp"
+#include "arguments/option_flags.hpp"
+#include "commands/commands.hpp"
+#include "gmcr/io.hpp"
+#include "gmcr/prepared_cloud.hpp"
+#include "gmcr/version.hpp"
+#include "input/read_points.hpp"
+#include "output/json.hpp"
+#include "output/report.hpp"
+#include "output/stopwatch.hpp"
+
+namespace gmcr::cli {
+namespace {
+
+constexpr const char* kExamples =
+    R"(Voxels, normals and features of a cloud, for `register` and `match`, which then need not make them.
+The file is a PLY with more in it: whatever reads a cloud takes it. Pairs are matched at one voxel
+size, the smaller one of the two clouds unless given: prepare the clouds of many pairs with the same.
+
+Examples:
+  gmcr prepare map.ply -o map.prepared.ply --voxel 0.3
+  gmcr register scan.bin map.prepared.ply --voxel 0.3)";
+
+struct Arguments {
+  std::string cloud;
+  std::string path;
+  FrontendOptions frontend;
+  CloudOptions reading;
+  Options solver;
+  OutputArguments output;
+};
+
+ExitCode run(const Arguments& arguments) {
+  check_output(arguments.path);
+  const InputFile file(arguments.cloud);
+  const Points points = read_points(file, arguments.reading);
+  const Stopwatch stopwatch;
+  const PreparedCloud prepared(points, arguments.frontend, arguments.solver.num_threads);
+  write_text(arguments.path, prepared.to_bytes());
+  const double seconds = stopwatch.seconds();
+  if (arguments.output.json) {
+    Json json;
+    json["status"] = "ok";
+    json["num_points"] = prepared.points().cols();
+    json["voxel_size"] = prepared.voxel_size();
+    json["time_ms"]["total"] = 1000 * seconds;
+    json["version"] = kVersion;
+    print(json);
+    return kPoseFound;
+  }
+  Report report(arguments.output);
+  report.line("prepared", fmt::format("{} points, voxels of {:.4g}", prepared.points().cols(),
+                                      prepared.voxel_size()));
+  report.line("time", duration(seconds));
+  report.line("written", arguments.path);
+  report.print();
+  return kPoseFound;
+}
+
+}  // namespace
+
+void add_prepare_command(CLI::App& app, Work& work) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("prepare", "A cloud with its features, for many pairs");
+  command.add_option("CLOUD", arguments->cloud, "Cloud to prepare, or - for stdin")->required();
+  command.add_option("-o,--output", arguments->path, "File to write, .ply")
+      ->required()
+      ->type_name("PREPARED.ply");
+  add_reading(command, arguments->reading);
+  add_flags(command, arguments->frontend, [](const std::string& name) {
+    return name == "voxel_size" || name == "normal_radius" || name == "feature_radius" ||
+           name == "orientation" || name == "source_viewpoint";
+  });
+  add_flags(command, arguments->solver,
+            [](const std::string& name) { return name == "num_threads"; });
+  arguments->output.add_to(command);
+  command.footer(kExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace gmcr::cli

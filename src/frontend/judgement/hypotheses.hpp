@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frontend/judgement/surface_judge.hpp"
+#include "gmcr/frontend.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr::frontend {
+
+/// The poses of two clouds that were looked at, of all attempts, refined and compared by surfaces.
+class Hypotheses {
+ public:
+  /// @param pair, voxel  as for `SurfaceJudge`.
+  Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
+             const parallel::Deadline& deadline);
+
+  /// The pose near one from elsewhere at which the surfaces meet best. Its half turns and those
+  /// that were rivals before are looked at for `rivals_of`.
+  Candidate approach(const Similarity& pose, const std::vector<RivalPose>& rivals);
+
+  /// The one of the pose and the alternatives of a solve, and at first of the initial pose, at
+  /// which the surfaces meet best. The pose itself stays where another one is hardly better.
+  Candidate best_of(const Result& registration);
+
+  /// The best of the half turns of a pose and of all poses that were seen, where the surfaces meet
+  /// clearly better there than at the pose; else the pose.
+  Candidate challenged(const Candidate& candidate);
+
+  /// Poses that were seen, distinct from this one, at which the surfaces meet better, best first.
+  std::vector<Candidate> better_than(const Candidate& candidate) const;
+
+  /// Distinct poses at which the surfaces meet about as well, best first.
+  std::vector<RivalPose> rivals_of(const Candidate& candidate) const;
+
+ private:
+  /// The pose near `start`, which is looked at closely only where it may be a rival of `best`.
+  void add(const Similarity& start, const Candidate& best);
+
+  SurfaceJudge judge_;
+  const Options& options_;
+  const parallel::Deadline& deadline_;
+  std::vector<Candidate> seen_;
+};
+
+}  // namespace gmcr::frontend

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "frontend/judgement/surface_judge.hpp"
+#include "gmcr/frontend.hpp"
+
+namespace gmcr::frontend {
+
+/// Options to solve with, or to judge a pose with: by then the bound is known.
+Options options_with_bound(const Options& options, const CloudMatches& matches);
+
+/// The voxel clouds of the matches, in frames at their centroids; null where one is empty.
+std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches);
+
+/// Measures how the voxel clouds meet under the pose of `result`, what the inliers are worth, and
+/// judges the pose by both.
+/// @param voxels  `voxel_pair` of its matches, or another one of the same voxels.
+void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options);
+
+/// Distinct evidence of the matches of `result` for the pose of a candidate.
+double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options);
+
+/// `with_pose` at the pose of a candidate, which may have been refined.
+CloudResult take(CloudResult result, const Candidate& candidate, CentredPair& voxels,
+                 const Options& options);
+
+}  // namespace gmcr::frontend

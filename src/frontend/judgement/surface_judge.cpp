@@ -1,0 +1,81 @@
+#include "frontend/judgement/surface_judge.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "frontend/alignment/surface_fit.hpp"
+
+namespace gmcr::frontend {
+namespace {
+
+constexpr double kReach = 3;  // voxels: the matches put a pose within their noise bound
+constexpr double kFarthestReach = 12;
+constexpr double kLeastStep = 1e-2;  // voxels
+constexpr Index kSamples = 2500;
+constexpr Index kFewSamples = 600;
+constexpr double kDistinct = 3;  // voxels
+
+}  // namespace
+
+SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options)
+    : pair_(std::move(pair)), voxel_(voxel), options_(options) {
+  const Points& points = pair_->source.points();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points * points.transpose() /
+                                                              static_cast<double>(points.cols()));
+  axes_ = solver.eigenvectors();
+  variances_ = solver.eigenvalues();
+  centroid_ = pair_->source_centre();
+}
+
+Candidate SurfaceJudge::look(const Similarity& start, double reach, Index max_samples,
+                             const parallel::Deadline& deadline) {
+  const RefinedPose refined =
+      refine_pose(*pair_, start, {voxel_, reach, max_samples, kLeastStep}, options_, deadline);
+  const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_, max_samples,
+                                          options_.num_threads);
+  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
+}
+
+Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, kReach, kSamples, deadline);
+}
+
+Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Deadline& deadline) {
+  const InitialPose& prior = *options_.initial_pose;
+  Similarity start = prior.target_from_source;
+  start.scale = scale;
+  const double size = std::sqrt(variances_.sum()) * scale;
+  const double off = prior.max_translation + 2 * std::sin(prior.max_rotation / 2) * size;
+  return look(start, std::clamp(off / voxel_, kReach, kFarthestReach), kSamples, deadline);
+}
+
+Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, kReach, kFewSamples, deadline);
+}
+
+std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
+  std::vector<Similarity> turned;
+  for (int axis = 0; axis < 3; ++axis) {
+    Similarity turn;
+    turn.rotation =
+        Eigen::AngleAxisd(std::numbers::pi, axes_.col(axis).normalized()).toRotationMatrix();
+    turn.translation = centroid_ - turn.rotation * centroid_;
+    const Similarity candidate = pose * turn;
+    if (options_.admit(candidate)) turned.push_back(candidate);
+  }
+  return turned;
+}
+
+bool SurfaceJudge::are_distinct(const Similarity& a, const Similarity& b) const {
+  const Eigen::Vector3d shift = a * centroid_ - b * centroid_;
+  const Eigen::Matrix3d linear = (a.scale * a.rotation - b.scale * b.rotation) * axes_;
+  const double square =
+      shift.squaredNorm() + linear.colwise().squaredNorm().dot(variances_.transpose());
+  return square > kDistinct * kDistinct * voxel_ * voxel_;
+}
+
+}  // namespace gmcr::frontend

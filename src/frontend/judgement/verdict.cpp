@@ -1,0 +1,127 @@
+#include "frontend/judgement/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace gmcr::frontend {
+namespace {
+
+// Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones.
+constexpr Index kChanceInliers = 12;
+constexpr Index kTrustedInliers = 30;
+// Their distinct evidence, which a loose noise bound does not swell: at most 2.4 and at least 5.8.
+constexpr double kTrustedEvidence = 4.5;
+// Shares of a cloud that the other covers.
+constexpr double kLeastCoverage = 0.2;
+constexpr double kPlausibleCoverage = 0.5;
+// What meets in right poses has normals that agree to 0.6 and more, and lies within 0.158 voxels;
+// mirrored clouds, whose wrong poses have up to 85 inliers, lie 0.164 to 0.29 apart.
+constexpr double kLeastAgreement = 0.5;
+constexpr double kMostNoise = 0.16;
+// Bare ground leaves three motions open, a corridor or an edge one.
+constexpr std::size_t kFewWeak = 1;
+
+/// "a turn about (0, 0, 1)".
+std::string words_of(const WeakDirection& direction) {
+  const bool is_turn = !direction.turn.isZero(0);
+  const Eigen::Vector3d& axis = is_turn ? direction.turn : direction.shift;
+  std::ostringstream words;
+  words.precision(2);
+  words << (is_turn ? "a turn about (" : "a shift along (") << axis.x() << ", " << axis.y() << ", "
+        << axis.z() << ")";
+  return words.str();
+}
+
+/// The words, with commas and an "and".
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (k > 0) list += k + 1 == words.size() ? " and " : ", ";
+    list += words[k];
+  }
+  return list;
+}
+
+/// A verdict and why; the worst of several counts.
+struct Opinion {
+  Verdict verdict = Verdict::Trusted;
+  std::string reason;
+};
+
+/// What the matches say.
+Opinion by_matches(const CloudResult& result) {
+  const bool all_matches = !result.matches.filtered;
+  const auto num_inliers = static_cast<Index>(result.registration.inliers.size());
+  const double coverage = std::max(result.fitness, result.target_fitness);
+  const std::string count = std::to_string(num_inliers) + " of " +
+                            std::to_string(result.matches.source.cols()) + " matches agree";
+  const std::string meet =
+      std::to_string(std::lround(100 * coverage)) + " % of a cloud meets the other";
+  if (all_matches ? coverage < kPlausibleCoverage : num_inliers < kChanceInliers) {
+    return {Verdict::Untrusted, count + " and " + meet + ", which chance explains"};
+  }
+  if (all_matches || num_inliers < kTrustedInliers || result.distinct_evidence < kTrustedEvidence ||
+      coverage < kLeastCoverage) {
+    return {Verdict::Doubtful, "only " + count + " and " + meet};
+  }
+  return {Verdict::Trusted, count + " and " + meet};
+}
+
+/// What the surfaces leave open.
+Opinion by_weak_directions(const CloudResult& result) {
+  std::vector<std::string> words;
+  for (const WeakDirection& direction : result.surfaces.weak_directions) {
+    words.push_back(words_of(direction));
+  }
+  if (words.empty()) return {};
+  const Verdict verdict = words.size() > kFewWeak ? Verdict::Untrusted : Verdict::Doubtful;
+  return {verdict, "the surfaces leave open " + list_of(words)};
+}
+
+/// How closely the surfaces meet.
+Opinion by_surfaces(const CloudResult& result) {
+  const SurfaceFit& fit = result.surfaces;
+  if (fit.agreement < kLeastAgreement) {
+    return {Verdict::Doubtful, "the normals of what meets agree in " +
+                                   std::to_string(std::lround(100 * fit.agreement)) + " % alone"};
+  }
+  if (fit.noise > kMostNoise * result.matches.target_voxel_size) {
+    return {Verdict::Doubtful, "the surfaces that meet lie apart"};
+  }
+  return {};
+}
+
+/// Whether other poses do as well.
+Opinion by_rivals(const CloudResult& result) {
+  if (result.rivals.empty()) return {};
+  const std::size_t count = result.rivals.size();
+  return {Verdict::Doubtful, "ambiguous: the surfaces meet about as well at " +
+                                 std::to_string(count) +
+                                 (count == 1 ? " other pose" : " other poses")};
+}
+
+}  // namespace
+
+void judge(CloudResult& result) {
+  if (result.registration.status != Status::Ok) {
+    result.verdict = Verdict::Untrusted;
+    const bool has_pose = result.registration.status == Status::Degenerate;
+    result.verdict_reason = (has_pose ? "the pose is one of many: " : "there is no pose: ") +
+                            result.registration.status_reason;
+    return;
+  }
+  const Opinion matches = by_matches(result);
+  result.verdict = matches.verdict;
+  result.verdict_reason = matches.reason;
+  for (const Opinion& opinion :
+       {by_weak_directions(result), by_rivals(result), by_surfaces(result)}) {
+    if (opinion.verdict == Verdict::Trusted) continue;
+    result.verdict = std::max(result.verdict, opinion.verdict);
+    result.verdict_reason += "; " + opinion.reason;
+  }
+}
+
+}  // namespace gmcr::frontend

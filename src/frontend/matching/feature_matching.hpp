@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "frontend/features/fpfh.hpp"
+#include "frontend/matching/match_priors.hpp"
+#include "gmcr/types.hpp"
+#include "parallel/deadline.hpp"
+
+namespace gmcr::frontend {
+
+struct MatchingOptions {
+  bool mutual = true;   ///< each is the other's nearest
+  float max_ratio = 1;  ///< of the distances to the nearest and the second nearest, (0, 1]
+  int num_threads = 0;
+  bool one_to_one = false;  ///< of the matches of a target, the closest only
+  parallel::Deadline deadline = parallel::Deadline::never();  ///< ends the search where it is
+  const MatchPriors* priors = nullptr;  ///< of the same columns; null: any two may match
+};
+
+struct FeatureMatch {
+  Index source;
+  Index target;
+};
+
+struct FeatureMatches {
+  std::vector<FeatureMatch> pairs;
+  double share_compared = 1;  ///< of the source features that have been compared with all
+};
+
+/// Nearest target feature of each source feature, by Euclidean distance of the features rounded to
+/// 1/64 (a histogram sums to 200); ties to the smallest index. Columns that are 0 have no feature
+/// and match nothing.
+///
+/// Compares all with all: in 33 dimensions a k-d tree visits most of the points anyway, and the
+/// loop runs at the speed of the vector units (`kernels::nearest_features`). With priors it
+/// compares those that they admit.
+/// @return in ascending order of the source; where the deadline ended the search, of a part of it.
+/// Cost O(N M). Deterministic for any thread count.
+FeatureMatches match_features(const Features& source, const Features& target,
+                              const MatchingOptions& options);
+
+}  // namespace gmcr::frontend

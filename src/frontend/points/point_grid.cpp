@@ -1,0 +1,107 @@
+#include "frontend/points/point_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "frontend/points/cell_order.hpp"
+
+namespace gmcr::frontend {
+namespace {
+
+/// Cells are wider than the reach by more than what rounding moves a point.
+constexpr double kMargin = 1 + 1e-6;
+/// Number of the last cell: what lies beyond shares it.
+constexpr double kMostCells = 0x1p62;
+
+std::int64_t number_of(double cell) {
+  return static_cast<std::int64_t>(std::max(-kMostCells, std::min(cell, kMostCells)));
+}
+
+}  // namespace
+
+PointGrid::PointGrid(const PointsRef& points, double reach)
+    : reach_(reach), edge_(kMargin * reach), table_(64) {
+  if (points.cols() == 0) return;
+  origin_ = points.rowwise().minCoeff();
+  CellOrder order = order_by_cell(points, origin_, edge_);
+  sorted_.setZero(points.cols() + kernels::PointColumns::kPadding, 3);
+  sorted_.topRows(points.cols()) = points(Eigen::all, order.points).transpose();
+  for (Index k = 0; k < order.num_cells(); ++k) {
+    const auto begin = static_cast<std::int32_t>(order.starts[static_cast<std::size_t>(k)]);
+    const auto end = static_cast<std::int32_t>(order.starts[static_cast<std::size_t>(k) + 1]);
+    const Eigen::Vector3d cell = order.cells.col(k);
+    const Cell own{number_of(cell.x()), number_of(cell.y()), number_of(cell.z())};
+    for (std::int64_t dx = -1; dx <= 1; ++dx) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        for (std::int64_t dz = -1; dz <= 1; ++dz) {
+          // cells come in order, so what a column has already ends where this cell starts
+          kernels::PointRun& run =
+              runs_at({own[0] - dx, own[1] - dy,
+                       own[2] - dz})[static_cast<std::size_t>(3 * (dx + 1) + dy + 1)];
+          if (run.end == 0) run.begin = begin;
+          run.end = end;
+        }
+      }
+    }
+  }
+  order_ = std::move(order.points);
+}
+
+PointGrid::Cell PointGrid::cell_at(const double* position) const {
+  Cell cell;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cell[axis] =
+        number_of(std::floor((position[axis] - origin_[static_cast<Index>(axis)]) / edge_));
+  }
+  return cell;
+}
+
+std::size_t PointGrid::slot_of(const Cell& cell) const {
+  const auto [x, y, z] = cell;
+  // whole numbers that follow one another fall apart in the upper half of the product
+  const std::uint64_t mixed =
+      (static_cast<std::uint64_t>(x) * 0x8da6b343 ^ static_cast<std::uint64_t>(y) * 0xd8163841 ^
+       static_cast<std::uint64_t>(z) * 0xcb1ab31f) *
+      0x9e3779b97f4a7c15;
+  std::size_t slot = (mixed >> 32) & (table_.size() - 1);
+  const auto is_other = [&](const Entry& entry) {
+    return entry.runs >= 0 && (entry.cell[0] != x || entry.cell[1] != y || entry.cell[2] != z);
+  };
+  while (is_other(table_[slot])) slot = (slot + 1) & (table_.size() - 1);
+  return slot;
+}
+
+PointGrid::Runs& PointGrid::runs_at(const Cell& cell) {
+  std::size_t slot = slot_of(cell);
+  if (table_[slot].runs < 0) {
+    if (2 * (runs_.size() + 1) > table_.size()) {
+      grow();
+      slot = slot_of(cell);
+    }
+    table_[slot] = {cell, static_cast<std::int32_t>(runs_.size())};
+    runs_.emplace_back();
+  }
+  return runs_[static_cast<std::size_t>(table_[slot].runs)];
+}
+
+void PointGrid::grow() {
+  const std::vector<Entry> before = std::exchange(table_, std::vector<Entry>(4 * table_.size()));
+  for (const Entry& entry : before) {
+    if (entry.runs >= 0) table_[slot_of(entry.cell)] = entry;
+  }
+}
+
+std::span<const kernels::PointRun> PointGrid::runs_about(const double* position) const {
+  const Entry& entry = table_[slot_of(cell_at(position))];
+  if (entry.runs < 0) return {};
+  return runs_[static_cast<std::size_t>(entry.runs)];
+}
+
+Index PointGrid::num_points(std::span<const kernels::PointRun> runs) {
+  Index count = 0;
+  for (const kernels::PointRun& run : runs) count += run.end - run.begin;
+  return count;
+}
+
+}  // namespace gmcr::frontend
