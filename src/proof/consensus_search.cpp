@@ -13,6 +13,8 @@ namespace {
 
 /// Members for which pairs of the others are still tested: more cost more than they drop.
 constexpr std::size_t kMaxKeptForPairs = 3;
+/// Least-squares bounds in the time of a minimax fit.
+constexpr std::uint64_t kWorkOfFit = 400;
 
 std::vector<Index> without(const std::vector<Index>& members, const std::vector<Index>& removed) {
   std::vector<Index> rest;
@@ -34,12 +36,12 @@ std::vector<Index> indices_of(const std::vector<bool>& chosen) {
 
 ConsensusSearch::ConsensusSearch(const geometry::CorrespondenceArrays& arrays,
                                  const BitsetGraph& graph, std::span<const double> weights,
-                                 const ScaleRange& scales, TryPose try_pose,
-                                 const parallel::Deadline& deadline)
+                                 const ScaleRange& scales, TryPose try_pose, const Effort& effort)
     : graph_(graph),
       weights_(weights),
       try_pose_(std::move(try_pose)),
-      deadline_(deadline),
+      deadline_(effort.deadline),
+      work_left_(effort.work),
       sets_(arrays, scales) {}
 
 double ConsensusSearch::run(double to_beat) {
@@ -48,7 +50,7 @@ double ConsensusSearch::run(double to_beat) {
   std::iota(all.begin(), all.end(), Index{0});
   Node root;
   root.open = candidates(graph_, all, 0);  // before anything is copied: most are not
-  if (deadline_.expired()) return std::max(to_beat_, weight_of(root.open));
+  if (is_over()) return std::max(to_beat_, weight_of(root.open));
   root.graph = clique::induced_subgraph(graph_, root.open);
   // best first: colourings then need fewer classes
   select_open(root, clique::core_order(root.graph));
@@ -56,6 +58,7 @@ double ConsensusSearch::run(double to_beat) {
 }
 
 double ConsensusSearch::search(Node& node) {
+  spend(1);
   drop_light(node);
   if (!node.kept.empty()) {
     drop_infeasible(node);
@@ -87,7 +90,7 @@ double ConsensusSearch::branch(const Node& node) {
   }
   double upper = to_beat_;
   for (std::size_t k = colouring.order.size(); k-- > 0 && exceeds(bounds[k]);) {
-    if (deadline_.expired()) return std::max(upper, bounds[k]);
+    if (is_over()) return std::max(upper, bounds[k]);
     Node next = child(node, {colouring.order.data(), k}, colouring.order[k]);
     upper = std::max(upper, std::min(bounds[k], search(next)));
   }
@@ -145,7 +148,7 @@ std::vector<Index> ConsensusSearch::candidates(const BitsetGraph& graph,
     too_light.push_back(v);
   };
   for (Index v = 0; v < static_cast<Index>(count); ++v) {
-    if (deadline_.expired()) return indices_of(keep);
+    if (is_over()) return indices_of(keep);
     double& sum = around[static_cast<std::size_t>(v)];
     sum = kept_weight + weight(v);
     const auto row = graph.row(v);
@@ -162,13 +165,14 @@ std::vector<Index> ConsensusSearch::candidates(const BitsetGraph& graph,
   return indices_of(keep);
 }
 
-void ConsensusSearch::drop_infeasible(Node& node) const {
+void ConsensusSearch::drop_infeasible(Node& node) {
   if (node.kept.size() > kMaxKeptForPairs) return drop_infeasible_with_many(node);
   const auto num_kept = static_cast<double>(node.kept.size());
   const estimation::Moments kept =
       sets_.mean_moments(node.kept, Eigen::ArrayXd::Ones(static_cast<Index>(num_kept)));
   const auto open = [&](Index v) { return node.open[static_cast<std::size_t>(v)]; };
   if (node.kept.size() > 1) {
+    spend(node.open.size());
     std::vector<bool> keep(node.open.size());
     for (Index v = 0; v < node.graph.num_vertices(); ++v) {
       keep[static_cast<std::size_t>(v)] =
@@ -178,9 +182,10 @@ void ConsensusSearch::drop_infeasible(Node& node) const {
   }
   BitsetGraph graph(node.graph.num_vertices());
   for (Index v = 0; v < graph.num_vertices(); ++v) {
-    if (deadline_.expired()) return;
+    if (is_over()) return;
     for (Index u = 0; u < v; ++u) {
       if (!node.graph.has_edge(u, v)) continue;
+      spend(1);
       if (sets_.may_hold(kept, num_kept / (num_kept + 2), {open(u), open(v)})) {
         graph.add_edge(u, v);
       }
@@ -189,8 +194,9 @@ void ConsensusSearch::drop_infeasible(Node& node) const {
   node.graph = std::move(graph);
 }
 
-void ConsensusSearch::drop_infeasible_with_many(Node& node) const {
+void ConsensusSearch::drop_infeasible_with_many(Node& node) {
   constexpr double kShares[] = {0.5, 0.75, 0.9};  // a few out of many that are valid
+  spend(node.open.size() * std::size(kShares));
   const auto kept = sets_.minimax_moments(node.kept);
   std::vector<bool> keep(node.open.size(), false);
   for (std::size_t v = 0; kept && v < keep.size(); ++v) {
@@ -219,10 +225,10 @@ void ConsensusSearch::sort_by_fit(Node& node) const {
 double ConsensusSearch::resolve(const std::vector<Index>& kept, const std::vector<Index>& open) {
   const double weight = weight_of(kept) + weight_of(open);
   if (!exceeds(weight)) return to_beat_;
-  if (deadline_.expired()) return weight;
+  if (is_over()) return weight;
   std::vector<Index> all = kept;
   all.insert(all.end(), open.begin(), open.end());
-  const InfeasibleSets::Conflict conflict = sets_.find_conflict(all);
+  const InfeasibleSets::Conflict conflict = find_conflict(all);
   if (conflict.pose) to_beat_ = std::max(to_beat_, try_pose_({*conflict.pose}));
   if (conflict.members.empty()) return std::max(to_beat_, weight);
 
@@ -243,13 +249,13 @@ double ConsensusSearch::resolve(const std::vector<Index>& kept, const std::vecto
 }
 
 double ConsensusSearch::loss_bound(const std::vector<Index>& kept, std::vector<Index> open,
-                                   double enough) const {
+                                   double enough) {
   // conflicts that share no member that may go: each costs its lightest one
   double loss = 0;
-  while (loss < enough && !deadline_.expired()) {
+  while (loss < enough && !is_over()) {
     std::vector<Index> all = kept;
     all.insert(all.end(), open.begin(), open.end());
-    const std::vector<Index> members = sets_.find_conflict(all).members;
+    const std::vector<Index> members = find_conflict(all).members;
     const std::vector<Index> rest = without(open, members);
     if (members.empty()) break;
     if (rest.size() == open.size()) return enough;  // the kept ones alone exclude each other
@@ -261,6 +267,11 @@ double ConsensusSearch::loss_bound(const std::vector<Index>& kept, std::vector<I
     open = rest;
   }
   return loss;
+}
+
+InfeasibleSets::Conflict ConsensusSearch::find_conflict(const std::vector<Index>& members) {
+  spend(kWorkOfFit);
+  return sets_.find_conflict(members);
 }
 
 double ConsensusSearch::weight_of(const std::vector<Index>& members) const {

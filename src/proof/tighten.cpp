@@ -63,7 +63,7 @@ double tighten(PoseSearch& poses, const RangeGraph& range, Measure measure, doub
     if (deadline.expired() || run.stopped()) break;
     run.report("certify", 1 - part);
     ConsensusSearch sets(poses.problem().arrays(), range.graph, weights, range.scales, try_pose,
-                         first ? first_deadline : deadline);
+                         {first ? first_deadline : deadline});
     upper_bound = std::min(upper_bound, sets.run(target));
     first = false;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "paper/paper_method.hpp"
+#include "proof/improve.hpp"
 #include "proof/tighten.hpp"
 #include "refine/likely_pose.hpp"
 #include "registration/answer.hpp"
@@ -23,7 +24,7 @@ using problem::Run;
 Found find_by_search(const Problem& problem, Run& run) {
   if (problem.is_sampled()) return search::sampled_search(problem, run);
   search::BestPoseSearch search(problem, run);
-  if (problem.options().certify) proof::tighten(search);
+  problem.options().certify ? proof::tighten(search) : proof::improve(search);
   Found found = search.found();
   if (search.poses().best()) {
     search::add_alternatives(problem, run, *search.poses().best(), found);

@@ -29,6 +29,9 @@ class BestPoseSearch {
   /// Proven upper bounds; a proof may lower them.
   PerMeasure& bounds() { return bounds_; }
 
+  /// Whether the search ended before it had a graph: samples decided it, or a limit.
+  bool has_no_graphs() const { return !graph_ && !scales_; }
+
   /// The graph of a known scale; null where it is unknown.
   const RangeGraph* graph() const { return graph_ ? &*graph_ : nullptr; }
 

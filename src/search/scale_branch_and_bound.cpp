@@ -66,9 +66,11 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
   };
   const Index max_graphs = 2 * voted_.bins().size();
   Index num_open = 0;
+  bool is_over = false;
   std::make_heap(ranges_.begin(), ranges_.end(), is_less);
   for (Index num_graphs = 0;
        exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));) {
+    if (is_over) break;
     if (num_graphs == max_graphs || num_open == max_open(search_)) {
       search_.note_early_end(
           measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
@@ -90,7 +92,7 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
       std::push_heap(ranges_.begin(), ranges_.end(), is_less);
       ranges_.push_back(upper);
     } else {
-      search_range(range, measure, tighten);
+      is_over = !search_range(range, measure, tighten);
       num_open += exceeds(range.bounds.of(measure), search_.to_beat(measure));
       search_.run().report("scale_search",
                            static_cast<double>(++num_graphs) / static_cast<double>(max_graphs));
@@ -106,7 +108,7 @@ bool ScaleBranchAndBound::is_done(const Range& range, Measure measure, bool with
   return range.searched[m] && (!with_tightening || range.tightened[m]);
 }
 
-void ScaleBranchAndBound::search_range(Range& range, Measure measure, const Tighten& tighten) {
+bool ScaleBranchAndBound::search_range(Range& range, Measure measure, const Tighten& tighten) {
   const RangeGraph graph = voted_.graph(search_, range.bin, range.scales);
   const bool is_bin = range.scales.min == voted_.bins()[range.bin].min &&
                       range.scales.max == voted_.bins()[range.bin].max;
@@ -115,10 +117,13 @@ void ScaleBranchAndBound::search_range(Range& range, Measure measure, const Tigh
       search_.to_beat(Measure::Evidence) > kSimilar * search_.to_beat(Measure::Inliers);
   if (measure == Measure::Inliers || is_bin || bounds_well) search_inliers(range, graph);
   if (measure == Measure::Evidence) search_evidence(range, graph);
-  if (!tighten) return;
+  if (!tighten) return true;
   double& bound = range.bounds.of(measure);
-  bound = tighten(graph, measure, bound);
+  const std::optional<double> tighter = tighten(graph, measure, bound);
+  if (!tighter) return false;
+  bound = *tighter;
   range.tightened[static_cast<std::size_t>(measure)] = true;
+  return true;
 }
 
 void ScaleBranchAndBound::search_inliers(Range& range, const RangeGraph& graph) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "search/voted_bins.hpp"
@@ -11,8 +12,9 @@ namespace gmcr::search {
 class ScaleBranchAndBound {
  public:
   /// A tighter proven bound on the measure of poses in a range than the given one, by whatever it
-  /// tries in time.
-  using Tighten = std::function<double(const RangeGraph&, Measure, double upper_bound)>;
+  /// tries; nullopt: it tries nothing any more.
+  using Tighten =
+      std::function<std::optional<double>(const RangeGraph&, Measure, double upper_bound)>;
 
   /// Starts with the bins. Keeps the references.
   ScaleBranchAndBound(PoseSearch& search, VotedBins& voted);
@@ -36,7 +38,8 @@ class ScaleBranchAndBound {
     bool tightened[2] = {};  ///< for each measure
   };
 
-  void search_range(Range& range, Measure measure, const Tighten& tighten);
+  /// @return whether `tighten`, if any, goes on.
+  bool search_range(Range& range, Measure measure, const Tighten& tighten);
   void search_inliers(Range& range, const RangeGraph& graph);
   void search_evidence(Range& range, const RangeGraph& graph);
   bool is_done(const Range& range, Measure measure, bool with_tightening) const;

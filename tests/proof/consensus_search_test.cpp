@@ -48,7 +48,7 @@ struct SmallProblem {
       EXPECT_LE(pose.scale(), scales.max);
       return best = std::max(best, weight_of(pose.similarity));
     };
-    return ConsensusSearch(arrays, edges, weights, scales, offer, deadline).run(to_beat);
+    return ConsensusSearch(arrays, edges, weights, scales, offer, {deadline}).run(to_beat);
   }
 };
 
@@ -213,7 +213,7 @@ TEST(ConsensusSearch, NeedsNoHelpOfThePosesItOffers) {
     const BitsetGraph graph = problem.graph();
     const parallel::Deadline never = parallel::Deadline::never();
     const auto refuse = [](const problem::CentredPose&) { return 0.0; };
-    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
+    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, {never});
     EXPECT_GE(search.run(0), *truth);
     EXPECT_LE(search.run(0), *truth + 1);
   }
@@ -232,7 +232,7 @@ TEST(ConsensusSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
     }
     const parallel::Deadline never = parallel::Deadline::never();
     const auto refuse = [](const problem::CentredPose&) { return 0.0; };
-    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, never);
+    ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, refuse, {never});
     EXPECT_EQ(search.run(0), static_cast<double>(max_clique(graph, {}).vertices.size()));
   }
 }
@@ -248,8 +248,27 @@ TEST(ConsensusSearch, OffersAPoseThatHoldsThePlantedSet) {
     const auto offer = [&](const problem::CentredPose& pose) {
       return best = std::max(best, problem.weight_of(pose.similarity));
     };
-    ConsensusSearch(problem.arrays, graph, problem.weights, problem.scales, offer, never).run(0);
+    ConsensusSearch(problem.arrays, graph, problem.weights, problem.scales, offer, {never}).run(0);
     EXPECT_EQ(best, *truth);
+  }
+}
+
+TEST(ConsensusSearch, EndsWithItsWorkAndBoundsAllTheSame) {
+  const parallel::Deadline never = parallel::Deadline::never();
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const SmallProblem problem = small_problem(seed, Kind::Loose, false, true, false);
+    const BitsetGraph graph = problem.graph();
+    const double most = problem.search(0);
+    for (const std::uint64_t work : {0, 1, 50, 500}) {
+      double best = 0;
+      const auto offer = [&](const problem::CentredPose& pose) {
+        return best = std::max(best, problem.weight_of(pose.similarity));
+      };
+      ConsensusSearch search(problem.arrays, graph, problem.weights, problem.scales, offer,
+                             {never, work});
+      EXPECT_GE(search.run(0) * (1 + 1e-9), most) << "work " << work;
+      EXPECT_LE(search.work_left(), work);
+    }
   }
 }
 

@@ -25,6 +25,7 @@ std::string words_of(const std::string& stage) {
                                                             {"clique", "clique search"},
                                                             {"pose", "judging poses"},
                                                             {"certify", "proof"},
+                                                            {"consensus_sets", "consensus sets"},
                                                             {"comparison", "comparing surfaces"},
                                                             {"evidence", "distinct evidence"},
                                                             {"noise", "choosing the noise bound"},
