@@ -79,13 +79,15 @@ TEST(ViewSearch, KeepsToThePriors) {
   }
 }
 
-TEST(ViewSearch, IsForViewsAsLargeAsTheObject) {
+TEST(ViewSearch, IsForViewsAsLargeAsTheObjectFromOutside) {
   const Points object = voxel_grid(bumpy_sphere(6000, 1), 0.06);
   const Points scene = 2 * object;
-  EXPECT_FALSE(may_show({object, scene, 0.06, Vector3d::Zero()}, 1));
-  EXPECT_TRUE(may_show({object, scene, 0.06, Vector3d::Zero()}, 2));
+  const Vector3d outside(0, 0, 8);
+  EXPECT_FALSE(may_show({object, scene, 0.06, outside}, 1));
+  EXPECT_TRUE(may_show({object, scene, 0.06, outside}, 2));
+  EXPECT_FALSE(may_show({object, scene, 0.06, Vector3d::Zero()}, 2));
   const Points dense = voxel_grid(bumpy_sphere(30000, 1), 0.02);
-  EXPECT_FALSE(may_show({dense, dense, 0.02, Vector3d::Zero()}, 1));
+  EXPECT_FALSE(may_show({dense, dense, 0.02, outside}, 1));
 }
 
 /// A smooth ellipsoid: its features tell nothing, and it turns into itself by half.

@@ -99,7 +99,10 @@ double coarsening_of(const PointsRef& points, double voxel_size) {
 
 bool may_show(const ObjectAndView& clouds, double scale) {
   if (clouds.object.cols() > kMostVoxels || clouds.view.cols() > 2 * kMostVoxels) return false;
-  return robust_extent(clouds.view) <= kLargest * scale * robust_extent(clouds.object);
+  const double extent = robust_extent(clouds.view);
+  const Eigen::Vector3d centre = clouds.view.rowwise().mean();
+  return extent <= kLargest * scale * robust_extent(clouds.object) &&
+         (clouds.viewpoint - centre).norm() > extent / 2;
 }
 
 std::vector<Similarity> poses_by_views(const ObjectAndView& clouds, const Options& options,

@@ -18,7 +18,7 @@ struct ObjectAndView {
 };
 
 /// Whether the view is about as large as the object, which has few enough voxels to be turned all
-/// around.
+/// around, and was seen from outside.
 bool may_show(const ObjectAndView& clouds, double scale);
 
 /// Smallest of 1, sqrt(2), 2 and so on by which a voxel has to grow to merge points of a sparse
