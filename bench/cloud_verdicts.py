@@ -139,7 +139,7 @@ def record_of(set_name: str, scan: Scan, kind: str, result: gmcr.CloudResult) ->
         "evidence": result.distinct_evidence,
         "coverage": max(result.fitness, result.target_fitness),
         "agreement": fit.agreement,
-        "noise": fit.noise / result.matches.target_voxel_size,
+        "noise": fit.noise / result.voxels.target_voxel_size,
         "overlap": fit.source_share + fit.target_share,
         "num_weak": len(fit.weak_directions),
         "num_rivals": len(result.rivals),
@@ -165,7 +165,7 @@ def judged(set_name: str, scan: Scan, number: int) -> Iterator[dict[str, object]
 def is_halfway(scan: Scan, result: gmcr.CloudResult) -> bool:
     """Whether a placed pose is right by the letter, but was not drawn to where it belongs."""
     found = result.target_from_source.matrix()
-    away = MAX_VOXELS_AWAY * result.matches.target_voxel_size
+    away = MAX_VOXELS_AWAY * result.voxels.target_voxel_size
     is_trusted = str(result.verdict) == "trusted"
     return not is_trusted and is_right(scan, found) and error_of(scan, found) > away
 

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -23,6 +24,7 @@ using namespace gmcr::bench;
 
 constexpr double kMaxRotationErrorDeg = 5;
 constexpr double kMaxErrorOfExtent = 0.05;
+constexpr double kMaxSymmetricError = 0.02;
 
 struct Settings {
   std::string out = "out/bench/clouds.jsonl";
@@ -135,19 +137,37 @@ Similarity parse_transform(const Json& rows) {
   return Similarity::from_matrix(matrix);
 }
 
+/// Mean distance of the source at one pose from its nearest point at the other one, over its
+/// diameter: 0 where the poses differ by a symmetry of it. Some of many points are asked.
+double symmetric_error(const Similarity& a, const Similarity& b, const Points& source) {
+  constexpr Index kQueries = 500;
+  const Points there = b.apply(source);
+  const Index stride = (source.cols() + kQueries - 1) / kQueries;
+  double sum = 0, count = 0;
+  for (Index i = 0; i < source.cols(); i += stride, ++count) {
+    const Eigen::Vector3d point = a * source.col(i);
+    sum += std::sqrt((there.colwise() - point).colwise().squaredNorm().minCoeff());
+  }
+  return sum / count / (there.rowwise().maxCoeff() - there.rowwise().minCoeff()).norm();
+}
+
 /// Adds the errors of the pose that the tool gave.
 void judge(Json& record, const Json& answer, const Pair& pair) {
   record["success"] = false;
   if (!answer.contains("target_from_source") || answer["target_from_source"].is_null()) return;
   const double extent =
       (pair.target.rowwise().maxCoeff() - pair.target.rowwise().minCoeff()).maxCoeff();
-  Json errors = errors_of(parse_transform(answer["target_from_source"]), pair.truth, pair.source);
+  const Similarity found = parse_transform(answer["target_from_source"]);
+  Json errors = errors_of(found, pair.truth, pair.source);
+  errors["symmetric_of_diameter"] = symmetric_error(found, pair.truth, pair.source);
   errors["translation_of_extent"] = errors["translation"].get<double>() / extent;
   errors["mean_point_of_extent"] = errors["mean_point"].get<double>() / extent;
   record["success"] = errors["rotation_deg"] <= kMaxRotationErrorDeg &&
                       errors["mean_point_of_extent"] <= kMaxErrorOfExtent;
   record["success_of_translation"] = errors["rotation_deg"] <= kMaxRotationErrorDeg &&
                                      errors["translation_of_extent"] <= kMaxErrorOfExtent;
+  record["success_by_symmetry"] =
+      record["success"] || errors["symmetric_of_diameter"] <= kMaxSymmetricError;
   record["errors"] = errors;
 }
 
@@ -189,9 +209,10 @@ std::string summary(const Json& record) {
       fmt::format("{} {}: {}", record["scenario"].get<std::string>(),
                   record["refine"].get<std::string>(), record["success"] ? "right" : "WRONG");
   if (record.contains("errors")) {
-    text += fmt::format(", {:.2f} deg, {:.2f} % of extent",
+    text += fmt::format(", {:.2f} deg, {:.2f} % of extent, {:.2f} % of diameter by symmetry",
                         record["errors"]["rotation_deg"].get<double>(),
-                        100 * record["errors"]["mean_point_of_extent"].get<double>());
+                        100 * record["errors"]["mean_point_of_extent"].get<double>(),
+                        100 * record["errors"]["symmetric_of_diameter"].get<double>());
   }
   return text + fmt::format(", verdict {}, {:.0f} ms", record.value("verdict", "-"),
                             record["wall_ms"].get<double>());

@@ -55,8 +55,8 @@ struct FrontendOptions {
   double max_ratio = 1;
 
   /// Settings that `register_clouds` may try before it settles for the best result, >= 1. The first
-  /// is the one above; the others change voxel size, sides of the normals and, for small clouds,
-  /// feature radius and filters of the matches.
+  /// is the one above; the others change voxel size and sides of the normals, pool the matches of
+  /// two feature radii and, for a small object, turn it all around.
   int max_attempts = 8;
 
   /// Refinement of the pose of every attempt, and more finely of the one that is returned.
@@ -80,6 +80,8 @@ struct CloudMatches {
   /// Whether the mutual and the ratio test were applied; without them the number of matches that
   /// agree proves little.
   bool filtered = true;
+  /// Feature radii whose matches were pooled: a point may have one of each.
+  int num_radii = 1;
   /// Share of the source whose matches were sought before the time for it was up, in [0, 1].
   double share_compared = 1;
   std::vector<StageTime> stages;  ///< "voxel", "normals", "features", "matching"
@@ -119,6 +121,15 @@ struct SurfaceFit {
 struct RivalPose {
   Similarity target_from_source;
   double overlap = 0;  ///< over that of the pose that is returned: near 1, the surfaces fit as well
+  bool is_symmetry = false;  ///< the source lies where it lies at the pose that is returned
+};
+
+/// The voxels by which all poses of two clouds are judged: those of the first attempt.
+struct JudgedVoxels {
+  Points source;                 ///< 3 x P, metres
+  Points target;                 ///< 3 x Q, metres
+  double source_voxel_size = 0;  ///< metres, source frame
+  double target_voxel_size = 0;  ///< metres, target frame
 };
 
 struct CloudResult {
@@ -128,13 +139,14 @@ struct CloudResult {
   CloudMatches matches;
   Index num_source_points = 0;  ///< as given; `matches` holds the clouds after the voxel grid
   Index num_target_points = 0;
-  /// Share of `matches.source_voxels` with a point of `matches.target_voxels` within one voxel of
-  /// the target after the transform, in [0, 1]; 0 without a pose.
+  JudgedVoxels voxels;  ///< of the surfaces, whatever voxels the matches are of
+  /// Share of `voxels.source` with a point of `voxels.target` within one voxel of the target after
+  /// the transform, in [0, 1]; 0 without a pose.
   double fitness = 0;
   /// Distinct evidence of the inliers, whatever was maximised: what the verdict goes by.
   double distinct_evidence = 0;
   double overlap_rmse = 0;  ///< RMS distance of those points, metres
-  /// The same share the other way round: of `matches.target_voxels` near the transformed source.
+  /// The same share the other way round: of `voxels.target` near the transformed source.
   double target_fitness = 0;
   /// What the surfaces and the matches say of the pose; that of `registration` speaks of the
   /// matches alone.
@@ -143,6 +155,12 @@ struct CloudResult {
   int num_attempts = 0;        ///< front-end settings that were tried
   Refinement refinement;
   SurfaceFit surfaces;  ///< of the pose
+  /// Whether the mirrored source was matched alike and has clearly less evidence, so that the
+  /// surfaces lie apart by the noise of the sensor, not because one of the clouds is left-handed.
+  bool mirrored_is_worse = false;
+  /// Whether the source was turned all around, as a whole object that the target shows, so that the
+  /// surfaces found the pose and not the matches.
+  bool found_by_turning = false;
   /// Other poses at which the surfaces meet about as well: symmetry or repetition. Best first.
   std::vector<RivalPose> rivals;
   /// What is odd about the clouds and may have gone wrong before they came here, a sentence each:

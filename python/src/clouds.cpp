@@ -63,6 +63,8 @@ void bind_matches(nb::module_& module) {
       .field("noise_bound", &CloudMatches::noise_bound, "Metres, for the registration.")
       .field("filtered", &CloudMatches::filtered,
              "Whether the mutual and the ratio test were applied.")
+      .field("num_radii", &CloudMatches::num_radii,
+             "Feature radii whose matches were pooled: a point may have one of each.")
       .field("share_compared", &CloudMatches::share_compared,
              "Share of the source whose matches were sought before the time for it was up.")
       .field("stages", &CloudMatches::stages, "Stage -> seconds.")
@@ -103,6 +105,17 @@ void bind_surfaces(nb::module_& module) {
   Record<RivalPose>(module, "RivalPose", "Another pose at which the surfaces meet about as well.")
       .field("target_from_source", &RivalPose::target_from_source, "Similarity.")
       .field("overlap", &RivalPose::overlap, "Over that of the pose that is returned.")
+      .field("is_symmetry", &RivalPose::is_symmetry,
+             "Whether the source lies where it lies at the pose that is returned, to 1.5 voxels.")
+      .read_only();
+}
+
+void bind_voxels(nb::module_& module) {
+  Record<JudgedVoxels>(module, "JudgedVoxels", "The voxels by which all poses are judged.")
+      .field("source", &JudgedVoxels::source, "(P, 3), metres.")
+      .field("target", &JudgedVoxels::target, "(Q, 3), metres.")
+      .field("source_voxel_size", &JudgedVoxels::source_voxel_size, "Metres, source frame.")
+      .field("target_voxel_size", &JudgedVoxels::target_voxel_size, "Metres, target frame.")
       .read_only();
 }
 
@@ -114,6 +127,7 @@ void bind_cloud_result(nb::module_& module) {
           .field("matches", &CloudResult::matches, "CloudMatches of the pose.")
           .field("num_source_points", &CloudResult::num_source_points, "As given.")
           .field("num_target_points", &CloudResult::num_target_points, "As given.")
+          .field("voxels", &CloudResult::voxels, "JudgedVoxels: of the surfaces.")
           .field("fitness", &CloudResult::fitness,
                  "Share of the source voxels that meet the target after the transform, in [0, 1].")
           .field("distinct_evidence", &CloudResult::distinct_evidence,
@@ -127,6 +141,10 @@ void bind_cloud_result(nb::module_& module) {
           .field("num_attempts", &CloudResult::num_attempts, "Settings that were tried.")
           .field("refinement", &CloudResult::refinement, "What the refinement did to the pose.")
           .field("surfaces", &CloudResult::surfaces, "SurfaceFit of the pose.")
+          .field("mirrored_is_worse", &CloudResult::mirrored_is_worse,
+                 "Whether the mirrored source was tried and has clearly less evidence.")
+          .field("found_by_turning", &CloudResult::found_by_turning,
+                 "Whether the source was turned all around, as an object that the target shows.")
           .field("rivals", &CloudResult::rivals,
                  "List of RivalPose: symmetry or repetition, best first.")
           .field("notes", &CloudResult::notes, "What is odd about the clouds, in sentences.")
@@ -150,6 +168,7 @@ void bind_clouds(nb::module_& module) {
   bind_matches(module);
   bind_refinement(module);
   bind_surfaces(module);
+  bind_voxels(module);
   bind_cloud_result(module);
   module.def("match_clouds", [](const PointsArray& source, const PointsArray& target,
                                 const FrontendOptions& frontend, const Options& options) {

@@ -10,11 +10,8 @@ struct FrontendSetting {
   double voxel_factor = 1;  ///< of the voxel size that was asked for or chosen
   NormalOrientation source_side = NormalOrientation::TowardViewpoint;
   NormalOrientation target_side = NormalOrientation::TowardViewpoint;
-  /// For clouds that are sparse, noisy or smooth, whose features tell little: no mutual and no
-  /// ratio test, for many more matches with more right ones among them, and a chosen voxel size
-  /// that is not below the spacing of the points.
-  bool keep_all_matches = false;
-  double feature_radius_factor = 1;  ///< of `FrontendOptions::feature_radius`
+  bool pools_radii = false;   ///< matches at a wider feature radius too
+  bool turns_source = false;  ///< all around, as an object that the target shows
 
   bool operator==(const FrontendSetting&) const = default;
 };

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "frontend/cloud_pair.hpp"
 #include "frontend/matching/feature_matching.hpp"
@@ -20,39 +20,18 @@ struct VoxelSizes {
   double target;
 };
 
-/// A grid that leaves more than this share of the points apart is finer than their spacing.
-constexpr double kSparseShare = 0.7;
-
-/// Smallest of `voxel_size` times 1, sqrt(2), 2 and so on that merges points of a sparse cloud.
-double coarsen_to_spacing(const PointsRef& points, double voxel_size) {
-  constexpr int kMostSteps = 6;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const auto num_voxels = static_cast<double>(voxel_grid(points, voxel_size).cols());
-    if (num_voxels <= kSparseShare * static_cast<double>(points.cols())) break;
-    voxel_size *= std::numbers::sqrt2;
-  }
-  return voxel_size;
-}
-
 /// Sizes as given, and from the clouds where not.
-/// @param coarsen  no chosen size is below the spacing of the points.
 VoxelSizes choose_voxel_sizes(frontend::CloudScales& source, frontend::CloudScales& target,
-                              const FrontendOptions& frontend, const Options& options,
-                              bool coarsen) {
-  const auto fit_spacing = [&](const frontend::CloudScales& cloud, double size) {
-    return coarsen ? coarsen_to_spacing(cloud.points(), size) : size;
-  };
+                              const FrontendOptions& frontend, const Options& options) {
   VoxelSizes sizes{frontend.source_voxel_size, frontend.voxel_size};
   if (options.scale_mode == ScaleMode::Estimated) {
-    if (sizes.source == 0) sizes.source = fit_spacing(source, source.voxel_size());
-    if (sizes.target == 0) sizes.target = fit_spacing(target, target.voxel_size());
+    if (sizes.source == 0) sizes.source = source.voxel_size();
+    if (sizes.target == 0) sizes.target = target.voxel_size();
     return sizes;
   }
   if (sizes.target == 0 && sizes.source > 0) sizes.target = sizes.source * options.scale;
   if (sizes.target == 0) {
-    const double size = std::min(source.voxel_size() * options.scale, target.voxel_size());
-    sizes.target = std::max(fit_spacing(source, size / options.scale) * options.scale,
-                            fit_spacing(target, size));
+    sizes.target = std::min(source.voxel_size() * options.scale, target.voxel_size());
   }
   if (sizes.source == 0) sizes.source = sizes.target / options.scale;
   return sizes;
@@ -64,6 +43,51 @@ void require_finite(const PointsRef& points, const char* name) {
     throw std::invalid_argument(std::string(name) + ": point " + std::to_string(i) +
                                 " is not finite");
   }
+}
+
+/// Features of the second radius that is pooled over the first.
+constexpr double kWiderFeatures = 1.4;
+
+/// Whether matches may be pooled: they are mutual ones of all with all, of which a point may have
+/// several.
+bool may_pool(const FrontendOptions& frontend, const Options& options) {
+  return frontend.mutual && frontend.max_ratio == 1 && !options.one_to_one &&
+         !frontend::MatchPriors::say_something(options);
+}
+
+/// A cloud with its features at one scale.
+struct DescribedCloud {
+  const frontend::Surface& surface;
+  const frontend::Features& features;
+};
+
+DescribedCloud described(frontend::CloudScales& cloud, NormalOrientation side, double voxel_size,
+                         const FrontendOptions& frontend, const Eigen::Vector3d& viewpoint,
+                         const Options& options, frontend::StageClock& clock) {
+  const int threads = options.num_threads;
+  const frontend::Surface& surface = cloud.surface(voxel_size, frontend, threads, clock);
+  return {surface, cloud.features(surface, side, viewpoint, threads, clock)};
+}
+
+/// Matches at one scale, of those that the priors admit.
+frontend::FeatureMatches match_at_one_scale(const DescribedCloud& from, const DescribedCloud& to,
+                                            const frontend::FrontendSetting& setting,
+                                            const FrontendOptions& frontend, const Options& options,
+                                            double noise_bound,
+                                            const parallel::Deadline& deadline) {
+  frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
+                                     options.num_threads, options.one_to_one, deadline};
+  if (!frontend::MatchPriors::say_something(options)) {
+    return frontend::match_features(from.features, to.features, matching);
+  }
+  const Points source_normals =
+      frontend::oriented_normals(from.surface, setting.source_side, frontend.source_viewpoint);
+  const Points target_normals =
+      frontend::oriented_normals(to.surface, setting.target_side, frontend.target_viewpoint);
+  const frontend::MatchPriors priors({from.surface.voxels, source_normals},
+                                     {to.surface.voxels, target_normals}, options, noise_bound);
+  matching.priors = &priors;
+  return frontend::match_features(from.features, to.features, matching);
 }
 
 }  // namespace
@@ -80,56 +104,46 @@ void frontend::validate_pair(const PointsRef& source, const PointsRef& target,
 }
 
 CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
-                                  const FrontendOptions& asked, const Options& options,
+                                  const FrontendOptions& frontend, const Options& options,
                                   const frontend::FrontendSetting& setting) {
   const parallel::Deadline deadline(options.time_limit, options.stop);
-  FrontendOptions frontend = asked;
-  frontend.feature_radius *= setting.feature_radius_factor;
-  if (setting.keep_all_matches) {
-    frontend.mutual = false;
-    frontend.max_ratio = 1;
-  }
   CloudMatches matches;
   matches.filtered = frontend.mutual || frontend.max_ratio < 1;
   frontend::StageClock clock(matches.stages);
-  const VoxelSizes sizes =
-      choose_voxel_sizes(source, target, frontend, options, setting.keep_all_matches);
+  const VoxelSizes sizes = choose_voxel_sizes(source, target, frontend, options);
   matches.source_voxel_size = setting.voxel_factor * sizes.source;
   matches.target_voxel_size = setting.voxel_factor * sizes.target;
   matches.noise_bound = options.noise_bound > 0
                             ? options.noise_bound
                             : frontend.noise_bound_voxels * matches.target_voxel_size;
-
-  const int threads = options.num_threads;
-  const Surface& from = source.surface(matches.source_voxel_size, frontend, threads, clock);
-  const Surface& to = target.surface(matches.target_voxel_size, frontend, threads, clock);
-  const Features& source_features =
-      source.features(from, setting.source_side, frontend.source_viewpoint, threads, clock);
-  const Features& target_features =
-      target.features(to, setting.target_side, frontend.target_viewpoint, threads, clock);
-  frontend::MatchingOptions matching{frontend.mutual, static_cast<float>(frontend.max_ratio),
-                                     threads, options.one_to_one,
-                                     deadline.within(kMatchingShare * deadline.remaining())};
-  Points source_normals, target_normals;
-  std::optional<MatchPriors> priors;
-  if (MatchPriors::say_something(options)) {
-    source_normals = oriented_normals(from, setting.source_side, frontend.source_viewpoint);
-    target_normals = oriented_normals(to, setting.target_side, frontend.target_viewpoint);
-    priors.emplace(OrientedPoints{from.voxels, source_normals},
-                   OrientedPoints{to.voxels, target_normals}, options, matches.noise_bound);
-    matching.priors = &*priors;
+  const bool pools = setting.pools_radii && may_pool(frontend, options);
+  std::vector<FeatureMatch> pairs;
+  for (const double factor : {1.0, kWiderFeatures}) {
+    FrontendOptions scaled = frontend;
+    scaled.feature_radius *= factor;
+    const DescribedCloud from = described(source, setting.source_side, matches.source_voxel_size,
+                                          scaled, scaled.source_viewpoint, options, clock);
+    const DescribedCloud to = described(target, setting.target_side, matches.target_voxel_size,
+                                        scaled, scaled.target_viewpoint, options, clock);
+    if (pairs.empty()) {
+      matches.source_voxels = from.surface.voxels;
+      matches.target_voxels = to.surface.voxels;
+    }
+    const FeatureMatches found =
+        match_at_one_scale(from, to, setting, frontend, options, matches.noise_bound,
+                           deadline.within(kMatchingShare * deadline.remaining()));
+    matches.share_compared = std::min(matches.share_compared, found.share_compared);
+    pairs = pooled(std::move(pairs), found.pairs);
+    clock.lap("matching");
+    if (!pools) break;
+    matches.num_radii = 2;
   }
-  const auto found = frontend::match_features(source_features, target_features, matching);
-  matches.share_compared = found.share_compared;
-  for (const frontend::FeatureMatch& pair : found.pairs) {
+  for (const FeatureMatch& pair : pairs) {
     matches.source_indices.push_back(pair.source);
     matches.target_indices.push_back(pair.target);
   }
-  matches.source = from.voxels(Eigen::all, matches.source_indices);
-  matches.target = to.voxels(Eigen::all, matches.target_indices);
-  matches.source_voxels = from.voxels;
-  matches.target_voxels = to.voxels;
-  clock.lap("matching");
+  matches.source = matches.source_voxels(Eigen::all, matches.source_indices);
+  matches.target = matches.target_voxels(Eigen::all, matches.target_indices);
   return matches;
 }
 

@@ -48,9 +48,8 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
     result.registration.diagnostics.limits_hit.push_back(
         {Limit::Stopped, "the caller stopped the refinement"});
   } else if (!deadline.expired()) {
-    const CloudMatches& matches = result.matches;
-    const double cell = kCell * matches.target_voxel_size;
-    const double source_cell = kCell * matches.source_voxel_size;
+    const double cell = kCell * result.voxels.target_voxel_size;
+    const double source_cell = kCell * result.voxels.source_voxel_size;
     CentredPair pair(voxel_grid(source, source_cell), voxel_grid(target, cell), source_cell, cell);
     const RefinedPose refined =
         refine_pose(pair, result.registration.target_from_source,
@@ -77,8 +76,8 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     result.refinement.note = "no pose to refine";
     return result;
   }
-  const auto voxels = frontend::voxel_pair(result.matches);
-  frontend::Hypotheses hypotheses(voxels, result.matches.target_voxel_size, options, deadline);
+  const auto voxels = frontend::centred_pair(result.voxels);
+  frontend::Hypotheses hypotheses(voxels, result.voxels.target_voxel_size, options, deadline);
   const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);
   result.rivals = hypotheses.rivals_of(candidate);
   result = frontend::take(std::move(result), candidate, *voxels, options);

@@ -14,13 +14,13 @@ bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpo
 std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, const Clouds& clouds) {
   using enum NormalOrientation;
   // Range images and scans in the sensor's frame first: of 40 real pairs this settles 31. Then a
-  // model of a whole object sought in such a scan, and coarser voxels for noise: one more each. The
-  // unfiltered ones bring some noisy small objects close.
-  const std::vector<FrontendSetting> all = {
-      {1, TowardViewpoint, TowardViewpoint},    {1, Outward, TowardViewpoint},
-      {1.5, TowardViewpoint, TowardViewpoint},  {1, Outward, Outward},
-      {1.5, Outward, TowardViewpoint, true, 1}, {1.5, Outward, TowardViewpoint, true, 1.6},
-      {1, Outward, TowardViewpoint, true, 1.6}, {1.5, Outward, Outward}};
+  // model of a whole object sought in such a scan, more matches of noisy scans on coarser voxels,
+  // and models without a viewpoint.
+  const std::vector<FrontendSetting> all = {{1, TowardViewpoint, TowardViewpoint},
+                                            {1, Outward, TowardViewpoint},
+                                            {1.5, TowardViewpoint, TowardViewpoint, true},
+                                            {1, Outward, Outward},
+                                            {1.5, Outward, Outward, true}};
   const bool is_automatic = frontend.orientation == Automatic;
   const bool no_source_view =
       is_automatic && is_viewpoint_unknown(clouds.source, frontend.source_viewpoint);
@@ -32,6 +32,10 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, cons
     if (no_target_view) setting.target_side = Outward;
     if (frontend.orientation != Automatic && (setting.source_side != frontend.orientation ||
                                               setting.target_side != frontend.orientation)) {
+      continue;
+    }
+    // of 40 real pairs none needs it where a viewpoint may be known
+    if (is_automatic && setting.pools_radii && setting.source_side == Outward && !no_source_view) {
       continue;
     }
     const bool asked_for_voxels = frontend.voxel_size > 0 && setting.voxel_factor != 1;

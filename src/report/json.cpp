@@ -189,6 +189,7 @@ Json fields_of(const std::vector<RivalPose>& rivals) {
     Json& entry = entries.emplace_back(Json::object());
     set_pose(entry, rival.target_from_source);
     entry["overlap"] = rival.overlap;
+    entry["is_symmetry"] = rival.is_symmetry;
   }
   return entries;
 }

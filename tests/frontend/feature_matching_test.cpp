@@ -57,6 +57,12 @@ Pairs oracle(const Features& source, const Features& target, const MatchingOptio
   return pairs;
 }
 
+TEST(FeatureMatching, PoolsMatchesOnceAndInOrder) {
+  const std::vector<FeatureMatch> matches =
+      pooled({{0, 3}, {2, 1}, {4, 4}}, {{4, 4}, {2, 0}, {1, 7}});
+  EXPECT_EQ(as_pairs(matches), (Pairs{{0, 3}, {1, 7}, {2, 0}, {2, 1}, {4, 4}}));
+}
+
 TEST(FeatureMatching, AgreesWithBruteForceForAllOptionsAndSizes) {
   for (const Index n : {1, 3, 8, 9, 257, 600}) {
     const Features source = random_features(n, 1);

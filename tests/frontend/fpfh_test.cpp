@@ -7,6 +7,7 @@
 #include <random>
 
 #include "frontend/features/normals.hpp"
+#include "frontend/mirrored.hpp"
 #include "frontend/shapes.hpp"
 
 namespace gmcr::frontend {
@@ -38,6 +39,15 @@ Described describe_cloud(const Points& points, const Eigen::Vector3d& viewpoint,
 double share_equal(const Features& a, const Features& b) {
   const auto differences = (a - b).colwise().lpNorm<Eigen::Infinity>().array();
   return static_cast<double>((differences < 2).count()) / static_cast<double>(a.cols());
+}
+
+TEST(Fpfh, OfAMirroredCloudIsThatOfTheCloudWithOneAngleReversed) {
+  Points points = bumpy_sphere(1500, 2);
+  Eigen::Vector3d viewpoint(1, 2, 9);
+  const Features expected = mirrored_features(describe_cloud(points, viewpoint).features);
+  points.row(0) *= -1;
+  viewpoint.x() *= -1;
+  EXPECT_GT(share_equal(describe_cloud(points, viewpoint).features, expected), 0.98);
 }
 
 TEST(Fpfh, SumsTo200InEachAngle) {

@@ -60,7 +60,27 @@ INSTANTIATE_TEST_SUITE_P(Frontend, RealPair,
                          ::testing::Values("stanford_scans/bunny_045_000",
                                            "mian_views/trex_view1_view0",
                                            "lidar/kitti00_000010_000000",
-                                           "3dmatch/redkitchen_4_0"));
+                                           "3dmatch/redkitchen_4_0",
+                                           "rgbd_frames/7scenes_700_000"));
+
+class RealObject : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealObject, IsFoundByTurningItAndDoubted) {
+  const fs::path folder = data_folder() / GetParam();
+  if (!fs::exists(folder)) GTEST_SKIP() << "no real data at " << folder << "; set GMCR_DATA";
+  const Points source = read_xyz_ply(folder / "source.ply");
+  const Points target = read_xyz_ply(folder / "target.ply");
+  const Similarity truth = read_transform(folder / "T_target_source.txt");
+  const CloudResult result = register_clouds(source, target);
+  ASSERT_EQ(result.registration.status, Status::Ok);
+  EXPECT_TRUE(result.found_by_turning) << result.verdict_reason;
+  EXPECT_EQ(result.verdict, Verdict::Doubtful) << result.verdict_reason;
+  EXPECT_LT(rotation_error_deg(result.registration.target_from_source.rotation, truth.rotation), 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Frontend, RealObject,
+                         ::testing::Values("objects_ycb/010_potted_meat_can",
+                                           "objects_ycb/035_power_drill"));
 
 }  // namespace
 }  // namespace gmcr::frontend

@@ -95,7 +95,7 @@ CloudResult good_result() {
   result.registration.status = Status::Ok;
   result.registration.inliers.resize(100);
   result.matches.source = Points::Zero(3, 200);
-  result.matches.target_voxel_size = 0.1;
+  result.voxels.target_voxel_size = 0.1;
   result.distinct_evidence = 20;
   result.fitness = result.target_fitness = 0.8;
   result.surfaces = {0.7, 0.7, 0.9, 0.01, {}};
@@ -128,6 +128,48 @@ TEST(Verdict, IsOnlyAsGoodAsTheWorstOfMatchesAndSurfaces) {
   EXPECT_EQ(verdict_after([](auto& r) { r.surfaces.noise = 0.05; }).first, Verdict::Doubtful);
   EXPECT_EQ(verdict_after([](auto& r) { r.registration.inliers.resize(5); }).first,
             Verdict::Untrusted);
+}
+
+/// Verdict on so many inliers.
+Verdict verdict_on(std::size_t num_inliers, int num_radii, bool found_by_turning = false) {
+  CloudResult result = good_result();
+  result.registration.inliers.resize(num_inliers);
+  result.matches.num_radii = num_radii;
+  result.found_by_turning = found_by_turning;
+  judge(result);
+  return result.verdict;
+}
+
+TEST(Verdict, AsksForTwiceAsManyOfMatchesAtTwoRadii) {
+  EXPECT_EQ(verdict_on(30, 1), Verdict::Trusted);
+  EXPECT_EQ(verdict_on(59, 2), Verdict::Doubtful);
+  EXPECT_EQ(verdict_on(60, 2), Verdict::Trusted);
+  EXPECT_EQ(verdict_on(12, 1), Verdict::Doubtful);
+  EXPECT_EQ(verdict_on(23, 2), Verdict::Untrusted);
+}
+
+TEST(Verdict, DoubtsWithoutMatchesWhatTurningFound) {
+  EXPECT_EQ(verdict_on(3, 1, true), Verdict::Doubtful);
+  EXPECT_EQ(verdict_on(3, 1, false), Verdict::Untrusted);
+}
+
+TEST(Verdict, AllowsForTheNoiseOfASensorWhereTheMirroredSourceIsWorse) {
+  CloudResult result = good_result();
+  result.surfaces.noise = 0.022;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Doubtful);
+  EXPECT_TRUE(is_doubted_for_noise(result));
+  result.mirrored_is_worse = true;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
+  result.surfaces.noise = 0.026;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Doubtful);
+  result = good_result();
+  EXPECT_FALSE(is_doubted_for_noise(result));
+  result.surfaces.noise = 0.022;
+  result.rivals = {{Similarity{}, 0.95}};
+  EXPECT_FALSE(is_doubted_for_noise(result));
 }
 
 TEST(SurfaceJudge, TurnsThePoseByHalfAboutThreeAxes) {

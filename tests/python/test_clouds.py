@@ -107,6 +107,7 @@ def test_matches_index_the_voxels(clouds):
     assert (matches.source_voxel_size, matches.target_voxel_size) == (0.06, 0.08)
     assert matches.noise_bound == pytest.approx(0.16)
     assert matches.filtered
+    assert matches.num_radii == 1
     assert set(matches.stages) == {"voxel", "normals", "features", "matching"}
     assert not gmcr.match(*clouds[:2], gmcr.FrontendOptions(mutual=False)).filtered
     assert gmcr.match(*clouds[:2], noise_bound=0.3).noise_bound == 0.3
@@ -163,6 +164,17 @@ def test_surfaces_say_how_they_meet(result):
     assert surfaces.agreement > 0.6
     assert surfaces.weak_directions == []
     assert result.rivals == []
+    assert not result.mirrored_is_worse
+    assert not result.found_by_turning
+
+
+def test_poses_are_judged_on_the_voxels_of_the_first_attempt(result, clouds):
+    voxels = result.voxels
+    first = gmcr.match(*clouds[:2], gmcr.FrontendOptions(voxel_size=0.05))
+    assert np.array_equal(voxels.source, first.source_voxels)
+    assert np.array_equal(voxels.target, first.target_voxels)
+    assert voxels.source_voxel_size == first.source_voxel_size
+    assert voxels.target_voxel_size == first.target_voxel_size
 
 
 def test_a_plane_leaves_motions_open():

@@ -172,6 +172,7 @@ TEST(CloudResultJson, AddsWhatTwoCloudsSay) {
       json::array({{{"kind", "shift"}, {"direction", {0.0, 1.0, 0.0}}, {"stiffness", 0.001}}}));
   EXPECT_EQ(fields.at("ambiguous"), true);
   EXPECT_EQ(fields.at("rivals").at(0).at("overlap"), 0.95);
+  EXPECT_EQ(fields.at("rivals").at(0).at("is_symmetry"), true);
   EXPECT_EQ(fields.at("rivals").at(0).at("scale"), 1);
   EXPECT_EQ(fields.at("notes"), json::array({"the source is far away"}));
 }

@@ -65,7 +65,7 @@ inline CloudResult make_cloud_result() {
   shift.shift = {0, 1, 0};
   shift.stiffness = 0.001;
   result.surfaces = {0.5, 0.4, 0.9, 0.03, {shift}};
-  result.rivals = {{Similarity{}, 0.95}};
+  result.rivals = {{Similarity{}, 0.95, true}};
   result.notes = {"the source is far away"};
   return result;
 }

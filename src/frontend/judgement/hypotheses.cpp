@@ -52,6 +52,16 @@ Candidate Hypotheses::approach(const Similarity& pose, const std::vector<RivalPo
   return candidate;
 }
 
+Candidate Hypotheses::best_with(const std::vector<Similarity>& poses) {
+  const auto best = [&] {
+    return *std::max_element(
+        seen_.begin(), seen_.end(),
+        [](const Candidate& a, const Candidate& b) { return a.overlap < b.overlap; });
+  };
+  for (const Similarity& pose : poses) add(pose, best());
+  return best();
+}
+
 Candidate Hypotheses::challenged(const Candidate& candidate) {
   for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
     add(turned, candidate);
@@ -76,7 +86,7 @@ std::vector<Candidate> Hypotheses::better_than(const Candidate& candidate) const
   return better;
 }
 
-std::vector<RivalPose> Hypotheses::rivals_of(const Candidate& candidate) const {
+std::vector<RivalPose> Hypotheses::rivals_of(const Candidate& candidate) {
   std::vector<RivalPose> rivals;
   for (const Candidate& other : seen_) {
     const Similarity& pose = other.target_from_source;
@@ -87,7 +97,8 @@ std::vector<RivalPose> Hypotheses::rivals_of(const Candidate& candidate) const {
         !judge_.are_distinct(candidate.target_from_source, pose)) {
       continue;
     }
-    rivals.push_back({pose, other.overlap / candidate.overlap});
+    rivals.push_back({pose, other.overlap / candidate.overlap,
+                      judge_.is_symmetry(candidate.target_from_source, pose)});
   }
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const RivalPose& a, const RivalPose& b) { return a.overlap > b.overlap; });

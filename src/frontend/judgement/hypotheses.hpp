@@ -24,15 +24,23 @@ class Hypotheses {
   /// which the surfaces meet best. The pose itself stays where another one is hardly better.
   Candidate best_of(const Result& registration);
 
+  /// The best of these poses, and of all that were seen.
+  Candidate best_with(const std::vector<Similarity>& poses);
+
   /// The best of the half turns of a pose and of all poses that were seen, where the surfaces meet
   /// clearly better there than at the pose; else the pose.
   Candidate challenged(const Candidate& candidate);
+
+  /// Whether two poses are no farther apart than a refinement could bridge.
+  bool are_one(const Candidate& a, const Candidate& b) const {
+    return !judge_.are_distinct(a.target_from_source, b.target_from_source);
+  }
 
   /// Poses that were seen, distinct from this one, at which the surfaces meet better, best first.
   std::vector<Candidate> better_than(const Candidate& candidate) const;
 
   /// Distinct poses at which the surfaces meet about as well, best first.
-  std::vector<RivalPose> rivals_of(const Candidate& candidate) const;
+  std::vector<RivalPose> rivals_of(const Candidate& candidate);
 
  private:
   /// The pose near `start`, which is looked at closely only where it may be a rival of `best`.

@@ -22,9 +22,8 @@ double distinct_evidence(const CloudMatches& matches, const Similarity& pose,
 
 /// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
 void measure_fit(CloudResult& result, CentredPair& voxels, const Options& options) {
-  const CloudMatches& matches = result.matches;
   const Similarity& pose = result.registration.target_from_source;
-  const double radius = matches.target_voxel_size;
+  const double radius = result.voxels.target_voxel_size;
   const Similarity centred = voxels.centred(pose);
   const Overlap forward =
       measure_overlap(voxels.source, voxels.target, centred, radius, options.num_threads);
@@ -34,7 +33,7 @@ void measure_fit(CloudResult& result, CentredPair& voxels, const Options& option
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
   result.surfaces = measure_surfaces(voxels, pose, radius, kSamples, options.num_threads);
-  result.distinct_evidence = distinct_evidence(matches, pose, options);
+  result.distinct_evidence = distinct_evidence(result.matches, pose, options);
 }
 
 /// The result with another pose, judged on these voxels.
@@ -64,10 +63,10 @@ Options options_with_bound(const Options& options, const CloudMatches& matches) 
   return given;
 }
 
-std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches) {
-  if (matches.source_voxels.cols() == 0 || matches.target_voxels.cols() == 0) return nullptr;
-  return std::make_shared<CentredPair>(matches.source_voxels, matches.target_voxels,
-                                       matches.source_voxel_size, matches.target_voxel_size);
+std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels) {
+  if (voxels.source.cols() == 0 || voxels.target.cols() == 0) return nullptr;
+  return std::make_shared<CentredPair>(voxels.source, voxels.target, voxels.source_voxel_size,
+                                       voxels.target_voxel_size);
 }
 
 double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options) {
@@ -91,7 +90,7 @@ CloudResult take(CloudResult result, const Candidate& candidate, CentredPair& vo
 
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options) {
-  const auto voxels = frontend::voxel_pair(result.matches);
+  const auto voxels = frontend::centred_pair(result.voxels);
   if (!voxels) throw std::invalid_argument("result: it has no clouds");
   return frontend::repose(std::move(result), target_from_source, *voxels, options);
 }

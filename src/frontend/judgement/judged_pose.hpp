@@ -10,12 +10,12 @@ namespace gmcr::frontend {
 /// Options to solve with, or to judge a pose with: by then the bound is known.
 Options options_with_bound(const Options& options, const CloudMatches& matches);
 
-/// The voxel clouds of the matches, in frames at their centroids; null where one is empty.
-std::shared_ptr<CentredPair> voxel_pair(const CloudMatches& matches);
+/// The voxels in frames at their centroids; null where there are none of one cloud.
+std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels);
 
 /// Measures how the voxel clouds meet under the pose of `result`, what the inliers are worth, and
 /// judges the pose by both.
-/// @param voxels  `voxel_pair` of its matches, or another one of the same voxels.
+/// @param voxels  `centred_pair` of its voxels.
 void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options);
 
 /// Distinct evidence of the matches of `result` for the pose of a candidate.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "frontend/alignment/surface_fit.hpp"
+#include "frontend/judgement/overlap.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -17,7 +18,10 @@ constexpr double kFarthestReach = 12;
 constexpr double kLeastStep = 1e-2;  // voxels
 constexpr Index kSamples = 2500;
 constexpr Index kFewSamples = 600;
-constexpr double kDistinct = 3;  // voxels
+constexpr Index kFewestSamples = 200;
+constexpr double kLongStep = 0.5;   // voxels
+constexpr double kSymmetric = 1.5;  // voxels
+constexpr double kAlmostAll = 0.9;  // of the source
 
 }  // namespace
 
@@ -31,17 +35,16 @@ SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, cons
   centroid_ = pair_->source_centre();
 }
 
-Candidate SurfaceJudge::look(const Similarity& start, double reach, Index max_samples,
+Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& scale,
                              const parallel::Deadline& deadline) {
-  const RefinedPose refined =
-      refine_pose(*pair_, start, {voxel_, reach, max_samples, kLeastStep}, options_, deadline);
-  const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_, max_samples,
-                                          options_.num_threads);
+  const RefinedPose refined = refine_pose(*pair_, start, scale, options_, deadline);
+  const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_,
+                                          scale.max_samples, options_.num_threads);
   return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
 }
 
 Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, kReach, kSamples, deadline);
+  return look(start, {voxel_, kReach, kSamples, kLeastStep}, deadline);
 }
 
 Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Deadline& deadline) {
@@ -50,11 +53,16 @@ Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Dead
   start.scale = scale;
   const double size = std::sqrt(variances_.sum()) * scale;
   const double off = prior.max_translation + 2 * std::sin(prior.max_rotation / 2) * size;
-  return look(start, std::clamp(off / voxel_, kReach, kFarthestReach), kSamples, deadline);
+  const double reach = std::clamp(off / voxel_, kReach, kFarthestReach);
+  return look(start, {voxel_, reach, kSamples, kLeastStep}, deadline);
 }
 
 Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, kReach, kFewSamples, deadline);
+  return look(start, {voxel_, kReach, kFewSamples, kLeastStep}, deadline);
+}
+
+Candidate SurfaceJudge::peek(const Similarity& start, const parallel::Deadline& deadline) {
+  return look(start, {voxel_, kReach, kFewestSamples, kLongStep}, deadline);
 }
 
 std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
@@ -70,12 +78,20 @@ std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
   return turned;
 }
 
-bool SurfaceJudge::are_distinct(const Similarity& a, const Similarity& b) const {
+bool SurfaceJudge::is_symmetry(const Similarity& a, const Similarity& b) {
+  const Similarity turn = pair_->centred(a).inverse() * pair_->centred(b);
+  const double radius = kSymmetric * voxel_ / a.scale;
+  const Overlap own =
+      measure_overlap(pair_->source, pair_->source, turn, radius, options_.num_threads);
+  return own.fitness >= kAlmostAll;
+}
+
+bool SurfaceJudge::are_distinct(const Similarity& a, const Similarity& b, double voxels) const {
   const Eigen::Vector3d shift = a * centroid_ - b * centroid_;
   const Eigen::Matrix3d linear = (a.scale * a.rotation - b.scale * b.rotation) * axes_;
   const double square =
       shift.squaredNorm() + linear.colwise().squaredNorm().dot(variances_.transpose());
-  return square > kDistinct * kDistinct * voxel_ * voxel_;
+  return square > voxels * voxels * voxel_ * voxel_;
 }
 
 }  // namespace gmcr::frontend

@@ -36,18 +36,24 @@ class SurfaceJudge {
   /// The same by fewer points, to see whether a closer look is worth its time.
   Candidate glance(const Similarity& start, const parallel::Deadline& deadline);
 
+  /// The same by fewer points yet, a few steps on the way: to tell the promising of many starts.
+  Candidate peek(const Similarity& start, const parallel::Deadline& deadline);
+
   /// The pose turned by half about each principal axis of the source, through its centroid: how
   /// symmetric parts, corridors and bare ground are mistaken for themselves. Those that the priors
   /// admit.
   std::vector<Similarity> half_turns(const Similarity& pose) const;
 
   /// Whether the poses are apart by more than a refinement could bridge: RMS distance of the images
-  /// of the source above three voxels.
-  bool are_distinct(const Similarity& a, const Similarity& b) const;
+  /// of the source above so many voxels.
+  bool are_distinct(const Similarity& a, const Similarity& b, double voxels = 3) const;
+
+  /// Whether the source at one pose lies, almost all of it, within 1.5 voxels of where it lies
+  /// at the other one: the poses differ by a symmetry of it.
+  bool is_symmetry(const Similarity& a, const Similarity& b);
 
  private:
-  /// @param reach  voxels: how far the start may be off.
-  Candidate look(const Similarity& start, double reach, Index max_samples,
+  Candidate look(const Similarity& start, const RefinementScale& scale,
                  const parallel::Deadline& deadline);
 
   std::shared_ptr<CentredPair> pair_;

@@ -12,6 +12,9 @@ namespace {
 // Mutual matches that agree: at most 20 in wrong poses of real pairs, at least 38 in right ones.
 constexpr Index kChanceInliers = 12;
 constexpr Index kTrustedInliers = 30;
+// The same of pooled matches, of which a point may have several.
+constexpr Index kTrustedPooled = 60;
+constexpr Index kChancePooled = 24;
 // Their distinct evidence, which a loose noise bound does not swell: at most 2.4 and at least 5.8.
 constexpr double kTrustedEvidence = 4.5;
 // Shares of a cloud that the other covers.
@@ -21,6 +24,8 @@ constexpr double kPlausibleCoverage = 0.5;
 // mirrored clouds, whose wrong poses have up to 85 inliers, lie 0.164 to 0.29 apart.
 constexpr double kLeastAgreement = 0.5;
 constexpr double kMostNoise = 0.16;
+// The same where the mirrored source was tried and is worse: noisy depth cameras leave up to 0.2.
+constexpr double kMostNoiseOfSensor = 0.25;
 // Bare ground leaves three motions open, a corridor or an edge one.
 constexpr std::size_t kFewWeak = 1;
 
@@ -54,16 +59,21 @@ struct Opinion {
 /// What the matches say.
 Opinion by_matches(const CloudResult& result) {
   const bool all_matches = !result.matches.filtered;
+  const bool are_pooled = result.matches.num_radii > 1;
+  const Index least = are_pooled ? kTrustedPooled : kTrustedInliers;
   const auto num_inliers = static_cast<Index>(result.registration.inliers.size());
   const double coverage = std::max(result.fitness, result.target_fitness);
   const std::string count = std::to_string(num_inliers) + " of " +
                             std::to_string(result.matches.source.cols()) + " matches agree";
   const std::string meet =
       std::to_string(std::lround(100 * coverage)) + " % of a cloud meets the other";
-  if (all_matches ? coverage < kPlausibleCoverage : num_inliers < kChanceInliers) {
+  // where the matches say nothing, the cover may
+  const bool may_be_covered = all_matches || result.found_by_turning;
+  const bool is_chance = all_matches || num_inliers < (are_pooled ? kChancePooled : kChanceInliers);
+  if (is_chance && !(may_be_covered && coverage >= kPlausibleCoverage)) {
     return {Verdict::Untrusted, count + " and " + meet + ", which chance explains"};
   }
-  if (all_matches || num_inliers < kTrustedInliers || result.distinct_evidence < kTrustedEvidence ||
+  if (all_matches || num_inliers < least || result.distinct_evidence < kTrustedEvidence ||
       coverage < kLeastCoverage) {
     return {Verdict::Doubtful, "only " + count + " and " + meet};
   }
@@ -88,7 +98,8 @@ Opinion by_surfaces(const CloudResult& result) {
     return {Verdict::Doubtful, "the normals of what meets agree in " +
                                    std::to_string(std::lround(100 * fit.agreement)) + " % alone"};
   }
-  if (fit.noise > kMostNoise * result.matches.target_voxel_size) {
+  const double most = result.mirrored_is_worse ? kMostNoiseOfSensor : kMostNoise;
+  if (fit.noise > most * result.voxels.target_voxel_size) {
     return {Verdict::Doubtful, "the surfaces that meet lie apart"};
   }
   return {};
@@ -98,12 +109,26 @@ Opinion by_surfaces(const CloudResult& result) {
 Opinion by_rivals(const CloudResult& result) {
   if (result.rivals.empty()) return {};
   const std::size_t count = result.rivals.size();
-  return {Verdict::Doubtful, "ambiguous: the surfaces meet about as well at " +
-                                 std::to_string(count) +
-                                 (count == 1 ? " other pose" : " other poses")};
+  const bool are_symmetries = std::all_of(result.rivals.begin(), result.rivals.end(),
+                                          [](const RivalPose& rival) { return rival.is_symmetry; });
+  return {Verdict::Doubtful,
+          "ambiguous: the surfaces meet about as well at " + std::to_string(count) +
+              (count == 1 ? " other pose" : " other poses") +
+              (are_symmetries ? ", where a symmetry of the source puts it" : "")};
 }
 
 }  // namespace
+
+bool is_doubted_for_noise(const CloudResult& result) {
+  if (result.registration.status != Status::Ok || result.mirrored_is_worse) return false;
+  const SurfaceFit& fit = result.surfaces;
+  const double voxel = result.voxels.target_voxel_size;
+  return fit.agreement >= kLeastAgreement && fit.noise > kMostNoise * voxel &&
+         fit.noise <= kMostNoiseOfSensor * voxel &&
+         by_matches(result).verdict == Verdict::Trusted &&
+         by_weak_directions(result).verdict == Verdict::Trusted &&
+         by_rivals(result).verdict == Verdict::Trusted;
+}
 
 void judge(CloudResult& result) {
   if (result.registration.status != Status::Ok) {

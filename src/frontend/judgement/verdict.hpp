@@ -12,4 +12,7 @@ namespace gmcr::frontend {
 /// motions are untrusted.
 void judge(CloudResult& result);
 
+/// Whether the one doubt is that the surfaces lie apart, by no more than the noise of a sensor.
+bool is_doubted_for_noise(const CloudResult& result);
+
 }  // namespace gmcr::frontend

@@ -122,4 +122,12 @@ FeatureMatches match_features(const Features& source, const Features& target,
   return matches;
 }
 
+std::vector<FeatureMatch> pooled(std::vector<FeatureMatch> matches,
+                                 const std::vector<FeatureMatch>& more) {
+  matches.insert(matches.end(), more.begin(), more.end());
+  std::sort(matches.begin(), matches.end());
+  matches.erase(std::unique(matches.begin(), matches.end()), matches.end());
+  return matches;
+}
+
 }  // namespace gmcr::frontend

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <vector>
 
 #include "frontend/features/fpfh.hpp"
@@ -21,6 +22,8 @@ struct MatchingOptions {
 struct FeatureMatch {
   Index source;
   Index target;
+
+  auto operator<=>(const FeatureMatch&) const = default;
 };
 
 struct FeatureMatches {
@@ -39,5 +42,9 @@ struct FeatureMatches {
 /// Cost O(N M). Deterministic for any thread count.
 FeatureMatches match_features(const Features& source, const Features& target,
                               const MatchingOptions& options);
+
+/// The matches of both, each once, in ascending order of source and target.
+std::vector<FeatureMatch> pooled(std::vector<FeatureMatch> matches,
+                                 const std::vector<FeatureMatch>& more);
 
 }  // namespace gmcr::frontend
