@@ -4,8 +4,8 @@ export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 export CCACHE_SLOPPINESS := pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-.PHONY: build demo test lint sanitize sanitize-all fuzz outsiders soak bench bench-programs bench-paper site \
-  format clean
+.PHONY: build demo test lint sanitize sanitize-all fuzz outsiders soak abi wheel bench bench-programs bench-paper \
+  site format clean
 
 # packages of a list of packages.txt
 build/.packages-%: packages.txt tools/install_packages
@@ -69,6 +69,14 @@ outsiders: build/.packages-test
 # problems of all kinds from 8 threads of each of 2 processes for MINUTES
 soak: bench-programs
 	@build/release/bin/bench_soak --minutes $(or $(MINUTES),60)
+
+# what the shared libraries offer, against that of the last release
+abi: build/.packages-test
+	@tools/abi
+
+# a wheel for this machine, tried in an environment of its own
+wheel: build/.packages-run
+	@tools/build_wheel
 
 bench: bench-programs
 	@bench/run

@@ -21,6 +21,7 @@ using namespace gmcr::bench;
 struct Settings {
   std::string filter;
   std::string compare;
+  std::string only;
   int threads = 0;
   bool prints_parts = false;
   bool prints_times = false;
@@ -36,7 +37,8 @@ struct Total {
   double seconds = 0;
 };
 
-using Record = std::map<std::string, std::string>;  // hashes by name
+using Record =
+    std::map<std::string, std::string>;  // hash and, where printed, those of the parts, by name
 
 constexpr std::size_t kNumSlowest = 20;
 
@@ -44,8 +46,25 @@ bool is_asked_for(const Settings& settings, const std::string& name) {
   return name.find(settings.filter) != std::string::npos;
 }
 
+std::string in_hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+Record read_record(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  Record record;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t space = line.find(' ');
+    if (space != std::string::npos) record[line.substr(0, space)] = line.substr(space + 1);
+  }
+  return record;
+}
+
 Cases cases_asked_for(const Settings& settings) {
   Cases cases = all_cases();
+  if (!settings.only.empty()) {
+    const Record record = read_record(settings.only);
+    std::erase_if(cases, [&](const Case& item) { return !record.contains(item.name); });
+  }
   std::erase_if(cases, [&](const Case& item) { return !is_asked_for(settings, item.name); });
   return cases;
 }
@@ -56,28 +75,12 @@ int threads_for(const Settings& settings, const Case& item) {
   return seed_of(item.name) % 8 == 0 ? 2 : 1;
 }
 
-std::string in_hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
-
-Record read_record(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  Record record;
-  for (std::string line; std::getline(file, line);) {
-    std::string name;
-    std::string hash;
-    std::istringstream(line) >> name >> hash;
-    if (!name.empty()) record[name] = hash;
-  }
-  return record;
-}
-
-void print_answer(const Settings& settings, const Case& item, const Digest& digest) {
-  std::string line = item.name + ' ' + in_hex(digest.hash());
+std::string in_words(const Settings& settings, const Digest& digest) {
+  std::string words = in_hex(digest.hash());
   if (settings.prints_parts) {
-    for (const auto& [name, hash] : digest.parts()) line += ' ' + name + '=' + in_hex(hash);
+    for (const auto& [name, hash] : digest.parts()) words += ' ' + name + '=' + in_hex(hash);
   }
-  fmt::print("{}\n", line);
-  std::fflush(stdout);  // the last line says where it hangs
+  return words;
 }
 
 void print_times(std::vector<Timing> timings, const std::map<std::string, Total>& totals) {
@@ -107,8 +110,12 @@ Record solve_all(const Settings& settings, const Cases& cases) {
     timings.push_back({item.name, seconds});
     totals[item.group].problems += 1;
     totals[item.group].seconds += seconds;
-    if (settings.compare.empty()) print_answer(settings, item, digest);
-    if (!record.emplace(item.name, in_hex(digest.hash())).second) {
+    const std::string words = in_words(settings, digest);
+    if (settings.compare.empty()) {
+      fmt::print("{} {}\n", item.name, words);
+      std::fflush(stdout);  // the last line says where it hangs
+    }
+    if (!record.emplace(item.name, words).second) {
       throw std::logic_error(item.name + ": named twice");
     }
   }
@@ -116,10 +123,26 @@ Record solve_all(const Settings& settings, const Cases& cases) {
   return record;
 }
 
+/// "pose work" where these parts of an answer differ; empty where only the whole is known of both.
+std::string parts_that_differ(const std::string& before, const std::string& now) {
+  std::istringstream old_words(before), new_words(now);
+  std::string parts, old_word, new_word;
+  old_words >> old_word;
+  new_words >> new_word;
+  while (old_words >> old_word && new_words >> new_word) {
+    if (old_word != new_word) parts += ' ' + new_word.substr(0, new_word.find('='));
+  }
+  return parts;
+}
+
+bool is_same(const std::string& before, const std::string& now) {
+  return before.substr(0, before.find(' ')) == now.substr(0, now.find(' '));
+}
+
 /// Prints the names that differ, or that only one of the two has, and returns how many there are.
 int compare(const Settings& settings, const Record& now) {
   int num_different = 0;
-  const auto differs = [&](const std::string& name, const char* how) {
+  const auto differs = [&](const std::string& name, const std::string& how) {
     fmt::print("{} {}\n", name, how);
     ++num_different;
   };
@@ -128,8 +151,8 @@ int compare(const Settings& settings, const Record& now) {
     const auto known = before.find(name);
     if (known == before.end()) {
       differs(name, "is new");
-    } else if (known->second != hash) {
-      differs(name, "differs");
+    } else if (!is_same(known->second, hash)) {
+      differs(name, "differs:" + parts_that_differ(known->second, hash));
     }
   }
   for (const auto& [name, hash] : before) {
@@ -154,6 +177,7 @@ int main(int argc, char** argv) {
   app.add_option("--filter", settings.filter, "only problems whose name contains this");
   app.add_option("--compare", settings.compare,
                  "a recorded output: print what differs from it; exit 1 if anything does");
+  app.add_option("--only", settings.only, "a recorded output: only the problems that it names");
   app.add_option("--threads", settings.threads, "for every problem; 0: 1, and 2 for some")
       ->check(CLI::NonNegativeNumber);
   app.add_flag("--parts", settings.prints_parts, "print the hash of each part of an answer too");

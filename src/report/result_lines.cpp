@@ -39,18 +39,18 @@ void add_pose(Lines& lines, const Similarity& pose, Detail detail) {
 }
 
 /// Standard deviation along the worst axis of a block of the covariance.
-double worst_deviation(const Eigen::MatrixXd& block) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(block, Eigen::EigenvaluesOnly);
+double worst_deviation(const Eigen::Matrix3d& block) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(block, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
 }
 
 void add_uncertainty(Lines& lines, const Covariance& covariance) {
   const Eigen::MatrixXd& matrix = covariance.matrix;
   std::string text = fmt::format("rotation {:.2g} deg, translation {:.2g} m",
-                                 degrees(worst_deviation(matrix.topLeftCorner(3, 3))),
-                                 worst_deviation(matrix.block(3, 3, 3, 3)));
+                                 degrees(worst_deviation(matrix.topLeftCorner<3, 3>())),
+                                 worst_deviation(matrix.block<3, 3>(3, 3)));
   if (matrix.rows() > 6) {
-    text += fmt::format(", scale {:.2g} %", 100 * worst_deviation(matrix.bottomRightCorner(1, 1)));
+    text += fmt::format(", scale {:.2g} %", 100 * std::sqrt(std::max(0.0, matrix(6, 6))));
   }
   lines.add("uncertainty", text + " (one standard deviation, worst axis)");
 }

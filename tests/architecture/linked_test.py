@@ -28,7 +28,8 @@ SYSTEM = {
 
 
 def library_of(path: str) -> str:
-    return re.sub(r"(-x86-64|-aarch64)?\.(so|a)(\.[0-9.]+)?$", "", Path(path).name)
+    """Its name; auditwheel puts a hash into that of a library which a wheel brings."""
+    return re.sub(r"(-x86-64|-aarch64|-[0-9a-f]{8})?\.(so|a)(\.[0-9.]+)?$", "", Path(path).name)
 
 
 def readelf(*arguments: str | Path) -> str:
@@ -64,6 +65,7 @@ def problems_of_hardening(program: Path) -> list[str]:
     header, segments, dynamic = (readelf(flag, program) for flag in ("-h", "-l", "-d"))
     stack = re.search(r"GNU_STACK.*", segments)
     symbols = readelf("--symbols", "--use-dynamic", program) + readelf("--dyn-syms", program)
+    search_paths = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", dynamic)
     flags = " ".join(re.findall(r"\(FLAGS(?:_1)?\)\s*(.*)", dynamic))
     wanted = {
         "position-independent": "DYN" in header,
@@ -74,7 +76,9 @@ def problems_of_hardening(program: Path) -> list[str]:
         "fortified functions": re.search(r"__\w+_chk\b", symbols.replace("__stack_chk", ""))
         is not None,
         "no writable code": not re.search(r"LOAD.* RWE ", segments),
-        "no search path of the build": "RUNPATH" not in dynamic and "RPATH" not in dynamic,
+        "no search path but beside itself": all(
+            path.startswith("$ORIGIN") for path in search_paths
+        ),
     }
     return [f"lacks {what}" for what, holds in wanted.items() if not holds]
 

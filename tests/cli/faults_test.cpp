@@ -87,6 +87,31 @@ TEST_F(Replaced, FileIsReplacedWhereNothingGoesWrong) {
   EXPECT_EQ(num_files(folder_ / ""), 2U);
 }
 
+TEST(Report, ThatIsInterruptedLeavesNeitherItsFolderNorItsPython) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "tmp");
+  folder.write("python",
+               "#!/bin/sh\n"
+               "case \"$*\" in *check) exit 0 ;; esac\n"
+               "echo $$ > started; exec sleep 60\n");
+  fs::permissions(folder / "python", fs::perms::owner_all);
+  ASSERT_EQ(status_of("\"$GMCR_BIN\" synth --num 100 -o m.csv >/dev/null 2>&1", folder / ""), 0);
+  for (const char* signal : {"INT", "TERM"}) {
+    fs::remove(folder / "started");
+    const std::string script =
+        std::string("set -m; export TMPDIR=$PWD/tmp GMCR_PYTHON=$PWD/python; \"$GMCR_BIN\" ") +
+        "solve m.csv --noise-bound 0.01 --report r.html >out 2>err & " +
+        "for i in $(seq 200); do [ -s started ] && break; sleep 0.05; done; " +
+        "[ \"$(ls tmp | wc -l)\" = 1 ] || exit 5; kill -" + signal + " $!; wait $!";
+    const int status = status_of(script, folder / "");
+    ASSERT_TRUE(WIFEXITED(status)) << status;
+    EXPECT_EQ(WEXITSTATUS(status), 128 + (signal[0] == 'I' ? SIGINT : SIGTERM));
+    EXPECT_EQ(num_files(folder / "tmp"), 0U);
+    EXPECT_NE(status_of("kill -0 $(cat started) 2>/dev/null", folder / ""), 0);
+    EXPECT_FALSE(fs::exists(folder / "r.html"));
+  }
+}
+
 TEST(ClosedPipe, EndsTheToolQuietly) {
   const TemporaryFolder folder;
   const std::string read_nothing =

@@ -13,23 +13,6 @@ using test::TemporaryFolder;
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-/// What bash prints where the script of the completion is loaded, a line a word.
-std::string in_bash(const std::string& script) {
-  const TemporaryFolder folder;
-  const char* binary = std::getenv("GMCR_BIN");
-  const auto path = folder.write("run.sh", "eval \"$('" + std::string(binary ? binary : "gmcr") +
-                                               "' completion)\"\n" + script);
-  const std::string command = "bash " + quoted(path) + " > " + quoted(folder / "out") + " 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  return test::content_of(folder / "out");
-}
-
-/// Words that are offered for the last of those on the line.
-std::string offered(const std::string& words, int last) {
-  return in_bash("COMP_WORDS=(" + words + ")\nCOMP_CWORD=" + std::to_string(last) +
-                 "\n_gmcr\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
-}
-
 TEST(Spelling, OfACommandOrAnOptionIsAnsweredWithTheRightOne) {
   expect_failure("registr a b", 2, "no command 'registr'; did you mean register?");
   expect_failure("sovle m.csv", 2, "did you mean solve?");
@@ -121,30 +104,6 @@ TEST_F(StandardInput, OfAQuietCommandLeavesTheExitCodeAndTheFiles) {
   EXPECT_NE(run_tool(solve).out, "");
   EXPECT_NE(run_tool(solve + "-q --json").out, "") << "what is asked for is printed";
   expect_failure("solve none.csv --noise-bound 1 -q", 3, "none.csv");
-}
-
-TEST(Completion, OffersCommandsOptionsAndWords) {
-  EXPECT_EQ(offered("gmcr reg", 1), "register\n");
-  EXPECT_EQ(offered("gmcr solve --noise-b", 2), "--noise-bound\n");
-  EXPECT_EQ(offered("gmcr solve m.csv --method ''", 4), "gmcr\npaper\n");
-  EXPECT_EQ(offered("gmcr register a.ply b.ply --refine n", 5), "none\n");
-  EXPECT_EQ(offered("gmcr solve m", 2), "\n") << "files are left to the shell";
-}
-
-TEST(Manual, NamesEveryOptionOfEveryCommand) {
-  const std::string manual = run_tool("manual").out;
-  for (const char* command : {"register", "solve", "match", "clique", "synth", "eval", "info"}) {
-    EXPECT_NE(manual.find(".SS \"gmcr " + std::string(command) + "\""), std::string::npos);
-    std::istringstream words(offered("gmcr " + std::string(command) + " --", 2));
-    int count = 0;
-    for (std::string word; words >> word; ++count) {
-      std::string escaped;
-      for (const char letter : word)
-        escaped += letter == '-' ? std::string("\\-") : std::string(1, letter);
-      EXPECT_NE(manual.find(escaped), std::string::npos) << command << " " << word;
-    }
-    EXPECT_GE(count, 2) << command;
-  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@ struct Target {
   std::string_view name;
   void (*run)(std::string_view bytes);
 };
+
+/// What GoogleTest calls it, which would print addresses.
+inline void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 /// All of them, by name.
 const std::vector<Target>& targets();
@@ -31,6 +35,7 @@ void read_graph_mtx(std::string_view bytes);
 void solve(std::string_view bytes);
 void find_cliques(std::string_view bytes);
 void register_small_clouds(std::string_view bytes);
+void read_prepared_cloud(std::string_view bytes);
 
 /// `Extension` with its dot.
 void read_cloud_of(const char* extension, std::string_view bytes);

@@ -19,6 +19,7 @@ const std::vector<Target>& targets() {
       {"pcd", [](std::string_view bytes) { read_cloud_of(".pcd", bytes); }},
       {"ply", [](std::string_view bytes) { read_cloud_of(".ply", bytes); }},
       {"pose", read_pose},
+      {"prepared", read_prepared_cloud},
       {"solve", solve},
       {"stl", [](std::string_view bytes) { read_cloud_of(".stl", bytes); }},
       {"xyz", [](std::string_view bytes) { read_cloud_of(".xyz", bytes); }},

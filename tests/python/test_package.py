@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 import sys
+import tarfile
 from pathlib import Path
 
 import gmcr
@@ -112,11 +113,38 @@ def test_a_package_without_the_tool_says_so(monkeypatch, capsys):
     assert "GMCR_BUILD_APPS=OFF" in capsys.readouterr().err
 
 
+SHARED = (
+    "man/man1/gmcr.1",
+    "bash-completion/completions/gmcr",
+    "zsh/site-functions/_gmcr",
+    "fish/vendor_completions.d/gmcr.fish",
+)
+
+
 def test_the_wheel_holds_its_extension_stub_and_tool_alone():
     files = {str(path) for path in importlib.metadata.files("gmcr")}
     assert {"gmcr/_gmcr.pyi", "gmcr/bin/gmcr"} <= files
     assert any(name.startswith("gmcr/_gmcr.") and name.endswith(".so") for name in files)
     assert not [name for name in files if name.startswith(("lib", "include", "bin"))]
+    shared = {name.rpartition("share/")[2] for name in files if "/share/" in name}
+    assert shared == set(SHARED)  # where man and the shells look, beside the tool
+
+
+def test_a_source_distribution_holds_what_a_build_reads(tmp_path):
+    # scikit-build-core as pip calls it, without the network
+    code = "import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])"
+    done = run("-c", code, tmp_path, cwd=ROOT)
+    assert done.returncode == 0, done.stderr
+    (archive,) = tmp_path.glob("gmcr-*.tar.gz")
+    with tarfile.open(archive) as opened:
+        names = {name.partition("/")[2] for name in opened.getnames()}
+    listed = subprocess.run(
+        ["git", "ls-files", "CMakeLists.txt", "LICENSE", "README.md", "apps", "cmake", "include",
+         "pyproject.toml", "python", "src"],
+        capture_output=True, text=True, check=True, cwd=ROOT,
+    )  # fmt: skip
+    assert names >= set(listed.stdout.split())
+    assert not [name for name in names if name.startswith(("tests/", "docs/", "build/"))]
 
 
 def test_nothing_follows_the_last_line_of_a_program():

@@ -30,6 +30,9 @@ struct BadOption {
   void (*change)(SyntheticOptions&);
 };
 
+/// GoogleTest would print addresses.
+void PrintTo(const BadOption& bad, std::ostream* out) { *out << bad.field; }
+
 class SyntheticOptionsTest : public testing::TestWithParam<BadOption> {};
 
 TEST_P(SyntheticOptionsTest, OutOfRangeIsRejectedByName) {

@@ -8,7 +8,4 @@ namespace gmcr::cli {
 /// The manual page of all commands, gmcr(1), in roff: made from what `--help` is made from.
 std::string manual_page(const CLI::App& app);
 
-/// A script for bash that completes commands, options, the words that an option takes, and files.
-std::string bash_completion(const CLI::App& app);
-
 }  // namespace gmcr::cli

@@ -14,22 +14,22 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCliqueExamples =
     R"(GRAPH is DIMACS (.clq, .col) or MatrixMarket (.mtx), or - for one of them from stdin. Vertices count from 1, as in the file.
 
 Examples:
   gmcr clique brock200_4.clq
   gmcr clique web.mtx --time-limit 10 --json)";
 
-struct Arguments {
+struct CliqueArguments {
   std::string graph;
   CliqueOptions options;
   Options limits;  ///< of which the memory is that of the graph
   OutputArguments output;
 };
 
-Json to_json(const BitsetGraph& graph, const CliqueResult& result,
-             const std::vector<Index>& vertices, double seconds) {
+Json clique_json(const BitsetGraph& graph, const CliqueResult& result,
+                 const std::vector<Index>& vertices, double seconds) {
   Json json;
   json["status"] = "ok";
   json["num_vertices"] = graph.num_vertices();
@@ -60,7 +60,7 @@ void print_report(Report report, const BitsetGraph& graph, const CliqueResult& r
   report.print();
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_clique(const CliqueArguments& arguments) {
   const InputFile file(arguments.graph, TextKind::Graph);
   const BitsetGraph graph =
       file.read([&](const auto& path) { return read_graph(path, arguments.limits.memory_limit); });
@@ -70,7 +70,7 @@ ExitCode run(const Arguments& arguments) {
   std::vector<Index> vertices = result.vertices;
   for (Index& vertex : vertices) ++vertex;
   if (arguments.output.json) {
-    print(to_json(graph, result, vertices, seconds));
+    print(clique_json(graph, result, vertices, seconds));
   } else {
     print_report(Report(arguments.output), graph, result, vertices, seconds);
   }
@@ -80,7 +80,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_clique_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CliqueArguments>();
   CLI::App& command = *app.add_subcommand("clique", "Maximum clique of a graph file");
   command.add_option("GRAPH", arguments->graph, "Graph, .clq, .col or .mtx, or - for stdin")
       ->required();
@@ -90,8 +90,8 @@ void add_clique_command(CLI::App& app, Work& work) {
   add_flags(command, arguments->limits,
             [](const std::string& name) { return name == "memory_limit"; });
   arguments->output.add_to(command);
-  command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.footer(kCliqueExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run_clique(*arguments); }; });
 }
 
 }  // namespace gmcr::cli

@@ -14,7 +14,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kEvalExamples =
     R"(RESULT is a 4 x 4 text file (-o) or the JSON of solve or register (--json), or - for one of
 them from stdin.
 
@@ -23,7 +23,7 @@ Examples:
   gmcr solve matches.csv --noise-bound 0.01 --json | gmcr eval - T_truth.txt
   gmcr eval result.json T_truth.txt --points source.ply --json)";
 
-struct Arguments {
+struct EvalArguments {
   std::string result;
   std::string truth;
   std::string points;
@@ -52,7 +52,7 @@ void print_report(Report report, const std::string& status, const Json& errors) 
   report.print();
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_eval(const EvalArguments& arguments) {
   const InputFile file(arguments.result);
   const Estimate estimate = file.read([](const auto& path) { return read_estimate(path); });
   const Similarity truth = read_transform(arguments.truth);
@@ -74,7 +74,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_eval_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command = *app.add_subcommand("eval", "Errors of a result against the truth");
   command.add_option("RESULT", arguments->result, "Estimate, T.txt or result.json")->required();
   command.add_option("TRUTH", arguments->truth, "True 4 x 4 transform")->required();
@@ -82,8 +82,8 @@ void add_eval_command(CLI::App& app, Work& work) {
       .add_option("--points", arguments->points, "Source cloud, for the mean point error (metres)")
       ->type_name("CLOUD");
   arguments->output.add_to(command);
-  command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.footer(kEvalExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run_eval(*arguments); }; });
 }
 
 }  // namespace gmcr::cli

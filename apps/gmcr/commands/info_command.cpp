@@ -13,7 +13,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kInfoExamples = R"(Examples:
   gmcr info
   gmcr info --json)";
 
@@ -32,7 +32,7 @@ int num_threads() {
   return register_correspondences(none, none, options).diagnostics.num_threads;
 }
 
-ExitCode run(const OutputArguments& output) {
+ExitCode run_info(const OutputArguments& output) {
   Json json;
   json["version"] = kVersion;
   json["isa"] = active_isa();
@@ -70,8 +70,8 @@ void add_info_command(CLI::App& app, Work& work) {
   const auto output = std::make_shared<OutputArguments>();
   CLI::App& command = *app.add_subcommand("info", "Version, instruction set, threads, defaults");
   output->add_to(command);
-  command.footer(kExamples);
-  command.callback([output, &work] { work = [output] { return run(*output); }; });
+  command.footer(kInfoExamples);
+  command.callback([output, &work] { work = [output] { return run_info(*output); }; });
 }
 
 }  // namespace gmcr::cli

@@ -15,7 +15,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kSynthExamples =
     R"(Kind random is the random benchmark of the paper, structured the one with clusters of outliers.
 
 Examples:
@@ -23,7 +23,7 @@ Examples:
   gmcr synth -o matches.npy --truth T.txt --kind structured --outliers 0.8 --model bunny.ply
   gmcr solve matches.csv --noise-bound 0.01 -o estimate.txt && gmcr eval estimate.txt T.txt)";
 
-struct Arguments {
+struct SynthArguments {
   std::string matches;
   std::string truth;
   std::string inliers;
@@ -68,7 +68,7 @@ std::vector<Index> inliers_of(const SyntheticProblem& problem) {
   return inliers;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_synth(const SynthArguments& arguments) {
   const SyntheticOptions& options = arguments.options;
   check_matches_output(arguments.matches);
   for (const std::string& path : {arguments.truth, arguments.inliers}) {
@@ -114,7 +114,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_synth_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SynthArguments>();
   CLI::App& command = *app.add_subcommand("synth", "Reproducible problem with its truth");
   command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
       ->required()
@@ -129,10 +129,10 @@ void add_synth_command(CLI::App& app, Work& work) {
     if (option->get_name() != "--kind") option->default_str("");  // each kind has its own
   }
   arguments->output.add_to(command);
-  command.footer(kExamples);
+  command.footer(kSynthExamples);
   command.callback([arguments, &command, &work] {
     arguments->options = resolve(command, arguments->options);
-    work = [arguments] { return run(*arguments); };
+    work = [arguments] { return run_synth(*arguments); };
   });
 }
 

@@ -50,10 +50,13 @@ int run_python(const std::vector<std::string>& arguments, Errors errors) {
   const int failure = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) return -1;
+  HeldSignals::pass_to(child);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return -1;
-  }
+  pid_t ended = 0;
+  do ended = waitpid(child, &status, 0);
+  while (ended < 0 && errno == EINTR);
+  HeldSignals::pass_to(0);
+  if (ended < 0) return -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -88,6 +91,7 @@ void write_html_report(const fs::path& path, const std::string& result, const Re
   const fs::path page_path = folder / "report.html";
   arguments.insert(arguments.end(), {"--output", page_path.string()});
   const int exit_code = run_python(arguments, Errors::Shown);
+  if (HeldSignals::came()) return;  // and ends the program with the folder
   if (exit_code != 0) {
     throw IoError(path, 0, fmt::format("no report: gmcr.viz ended with {}", exit_code));
   }

@@ -6,10 +6,12 @@
 #include <system_error>
 
 #include "gmcr/io.hpp"
+#include "output/held_signals.hpp"
 
 namespace gmcr::cli {
 
-/// A folder of its own that goes with the object.
+/// A folder of its own that goes with the object, also where a signal ends the program: that waits
+/// until then.
 class ScratchFolder {
  public:
   /// @throws IoError where it cannot be made.
@@ -28,6 +30,7 @@ class ScratchFolder {
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
+  HeldSignals signals_;  // first, so that it goes last
   std::filesystem::path path_;
 };
 

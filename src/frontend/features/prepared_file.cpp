@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -84,7 +85,8 @@ class Reader {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
-      refuse("'" + std::string(text) + "' is no number");
+      std::string reason(text);
+      refuse(reason.append(": it is no number"));
     }
     return value;
   }
@@ -186,6 +188,9 @@ KnownSurface read_surface_head(Reader& reader, std::size_t number) {
   known.side =
       reader.word() == "outward" ? NormalOrientation::Outward : NormalOrientation::TowardViewpoint;
   known.viewpoint = reader.point();
+  for (const double size : {known.voxel_size, known.normal_radius, known.feature_radius}) {
+    if (!(size > 0) || !std::isfinite(size)) refuse("a size of its voxels is not positive");
+  }
   reader.expect("element surface_" + std::to_string(number) + ' ');
   const Index count = count_of(reader, reader.rest().size() / kSurfaceBytes);
   reader.expect(surface_properties());
@@ -200,6 +205,9 @@ void read_surface(Reader& reader, KnownSurface& known) {
     for (double& value : known.voxels.col(i)) value = reader.binary<double>();
     for (double& value : known.normals.col(i)) value = reader.binary<double>();
     for (float& value : known.features.col(i)) value = reader.binary<float>();
+  }
+  if (!known.voxels.allFinite() || !known.normals.allFinite() || !known.features.allFinite()) {
+    refuse("a number of its voxels is not finite");
   }
 }
 
@@ -235,6 +243,7 @@ PreparedFile read_prepared(std::string_view bytes) {
   reader.expect(kVertexProperties);
   while (reader.takes("comment surface ")) {
     file.surfaces.push_back(read_surface_head(reader, file.surfaces.size()));
+    if (body_size(file) > reader.rest().size()) refuse("it is cut");  // before more memory is taken
   }
   const std::string_view head = bytes.substr(0, bytes.size() - reader.rest().size());
   reader.expect(kChecksum);
