@@ -81,6 +81,7 @@ int run(int argc, char** argv) {
   app.formatter(std::make_shared<HelpFormatter>());
   Work work;
   add_register_command(app, work);
+  add_localise_command(app, work);
   add_solve_command(app, work);
   add_match_command(app, work);
   add_prepare_command(app, work);

@@ -49,6 +49,7 @@ from ._gmcr import (
     NoiseEstimate,
     Options,
     PreparedCloud,
+    PreparedMap,
     Refinement,
     Result,
     RivalPose,
@@ -65,6 +66,7 @@ from ._gmcr import (
     instruction_sets,
     version,
 )
+from ._maps import localise_scan, prepare_map
 from ._metrics import PoseErrors, evaluate
 from ._prepared import prepare
 from ._registration import (
@@ -107,6 +109,7 @@ __all__ = [
     "PoseErrors",
     "PoseLike",
     "PreparedCloud",
+    "PreparedMap",
     "Refine",
     "Refinement",
     "Result",
@@ -132,12 +135,14 @@ __all__ = [
     "hardware_threads",
     "instruction_set",
     "instruction_sets",
+    "localise_scan",
     "make_synthetic",
     "match",
     "match_descriptors",
     "max_clique",
     "max_weight_clique",
     "prepare",
+    "prepare_map",
     "refine_clouds",
     "register_cloud_instances",
     "register_clouds",

@@ -62,15 +62,21 @@ def prepare(
     return _gmcr.prepare(as_cloud(points, "points"), matching, solver.num_threads)
 
 
+def is_prepared_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a file is there and holds something prepared, of whatever version."""
+    if not Path(path).is_file():
+        return False
+    with Path(path).open("rb") as file:
+        return PreparedCloud.is_prepared(file.read(_NUM_START_BYTES))
+
+
 def as_prepared(cloud: CloudLike) -> PreparedCloud | None:
     """A prepared cloud, or that of a file which holds one; else nothing."""
     if isinstance(cloud, PreparedCloud):
         return cloud
-    if not isinstance(cloud, (str, os.PathLike)) or not Path(cloud).is_file():
-        return None
-    with Path(cloud).open("rb") as file:
-        is_prepared = PreparedCloud.is_prepared(file.read(_NUM_START_BYTES))
-    return PreparedCloud.load(cloud) if is_prepared else None
+    if isinstance(cloud, (str, os.PathLike)) and is_prepared_file(cloud):
+        return PreparedCloud.load(cloud)
+    return None
 
 
 def as_prepared_pair(

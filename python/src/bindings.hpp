@@ -12,6 +12,7 @@ void bind_registration(nanobind::module_& module);
 void bind_clouds(nanobind::module_& module);
 void bind_cliques(nanobind::module_& module);
 void bind_prepared(nanobind::module_& module);
+void bind_maps(nanobind::module_& module);
 void bind_descriptors(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_synthetic(nanobind::module_& module);

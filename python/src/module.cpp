@@ -27,6 +27,7 @@ NB_MODULE(_gmcr, module) {
   python::bind_registration(module);
   python::bind_clouds(module);
   python::bind_prepared(module);
+  python::bind_maps(module);
   python::bind_descriptors(module);
   python::bind_cliques(module);
   python::bind_synthetic(module);

@@ -3,9 +3,9 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "gmcr/io.hpp"
 #include "gmcr/prepared_cloud.hpp"
 #include "interruptible.hpp"
+#include "prepared_file.hpp"
 
 namespace gmcr::python {
 namespace {
@@ -15,31 +15,12 @@ PreparedCloud prepare(const PointsArray& points, const FrontendOptions& frontend
   return PreparedCloud(points_of(points), frontend, num_threads);
 }
 
-nb::bytes bytes_of(const PreparedCloud& cloud) {
-  const std::string bytes = [&] {
-    const nb::gil_scoped_release no_gil;
-    return cloud.to_bytes();
-  }();
-  return nb::bytes(bytes.data(), bytes.size());
-}
-
 PreparedCloud from_bytes(const nb::bytes& bytes) {
   return PreparedCloud::from_bytes({bytes.c_str(), bytes.size()});
 }
 
-/// @throws IoError naming the file, whatever is wrong with it.
 PreparedCloud load(const std::filesystem::path& path) {
-  const nb::gil_scoped_release no_gil;
-  try {
-    return PreparedCloud::from_bytes(read_bytes(path));
-  } catch (const std::invalid_argument& error) {
-    throw IoError(path, 0, error.what());
-  }
-}
-
-void save(const PreparedCloud& cloud, const std::filesystem::path& path) {
-  const nb::gil_scoped_release no_gil;
-  write_text(path, cloud.to_bytes());
+  return load_prepared(path, &PreparedCloud::from_bytes);
 }
 
 }  // namespace
@@ -74,17 +55,17 @@ void bind_prepared(nb::module_& module) {
             return PreparedCloud::is_prepared({content.c_str(), content.size()});
           },
           nb::arg("content"), "Whether a content is, or begins, such a file, of whatever version.")
-      .def("to_bytes", &bytes_of, "The content of its file.")
+      .def("to_bytes", &bytes_of<PreparedCloud>, "The content of its file.")
       .def_static("from_bytes", &from_bytes, nb::arg("content"),
                   "The cloud of such a content. Raises ValueError where it does not fit.")
-      .def("save", &save, nb::arg("path"),
+      .def("save", &save_prepared<PreparedCloud>, nb::arg("path"),
            nb::sig("def save(self, path: str | os.PathLike[str]) -> None"),
            "Writes the file, whole or not at all: a PLY with more in it, which reads as a cloud.")
       .def_static("load", &load, nb::arg("path"),
                   nb::sig("def load(path: str | os.PathLike[str]) -> PreparedCloud"),
                   "Reads such a file. Raises OSError where it is missing, of another version, cut "
                   "or changed.")
-      .def("__getstate__", &bytes_of)
+      .def("__getstate__", &bytes_of<PreparedCloud>)
       .def("__setstate__",
            [](PreparedCloud& self, const nb::bytes& state) {
              new (&self) PreparedCloud(from_bytes(state));

@@ -7,8 +7,8 @@ using test::expect_failure;
 using test::run_tool;
 using test::TemporaryFolder;
 
-const char* const kCommands[] = {"register", "solve", "match", "prepare", "clique",
-                                 "synth",    "eval",  "info",  "manual",  "completion"};
+const char* const kCommands[] = {"register", "localise", "solve", "match",  "prepare",   "clique",
+                                 "synth",    "eval",     "info",  "manual", "completion"};
 
 TEST(Help, OfEveryCommandHasAnExample) {
   for (const char* command : kCommands) {

@@ -24,6 +24,7 @@ from typing import Any
 import gmcr
 import gmcr.io
 import numpy as np
+from towns import pose_at, sweep, town_points
 
 ROOT = Path(__file__).parents[2]
 _BLOCK = re.compile(
@@ -153,6 +154,9 @@ def prepare(folder: Path) -> None:
     level = np.vstack([turn, [0, 0, 1]])
     wide = hills(rng.uniform(-2, 2, (16000, 2)))
     gmcr.io.write_points(folder / "map.ply", wide @ level.T + [1, 2, 0.3])
+    town = town_points()
+    gmcr.io.write_points(folder / "town.ply", town)
+    gmcr.io.write_points(folder / "sweep.ply", sweep(town, pose_at(31, 27, 2.1)))
     problem = gmcr.make_synthetic(num_correspondences=300, outlier_rate=0.9, seed=1)
     np.savetxt(
         folder / "matches.csv", np.hstack([problem.source, problem.target]), delimiter=",",

@@ -18,6 +18,7 @@ using Work = std::function<ExitCode()>;
 
 // Each adds one command to `app`, which sets `work` when it is named.
 void add_register_command(CLI::App& app, Work& work);
+void add_localise_command(CLI::App& app, Work& work);
 void add_solve_command(CLI::App& app, Work& work);
 void add_match_command(CLI::App& app, Work& work);
 void add_prepare_command(CLI::App& app, Work& work);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gmcr/io.hpp"
+#include "gmcr/localisation.hpp"
 #include "gmcr/prepared_cloud.hpp"
 #include "input/input_file.hpp"
 
@@ -44,6 +45,12 @@ class ReadPair {
 
   Read source_, target_;
 };
+
+/// A map, of a file that may be prepared.
+/// @throws IoError, also where a prepared one is of another version or was changed; InvalidOption
+///   where it has another voxel size than the options ask for.
+PreparedMap read_map(const InputFile& file, const CloudOptions& options,
+                     const FrontendOptions& frontend, const Eigen::Vector3d& up, int num_threads);
 
 /// Says what a reader noted of a file, on stderr.
 void say_notes(const InputFile& file, const std::vector<std::string>& notes);

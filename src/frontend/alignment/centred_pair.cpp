@@ -1,9 +1,9 @@
 #include "frontend/alignment/centred_pair.hpp"
 
-namespace gmcr::frontend {
-namespace {
+#include <utility>
 
-/// Mean of the points, summed from the first one: no digit is lost far from 0.
+namespace gmcr::frontend {
+
 Eigen::Vector3d centroid(const PointsRef& points) {
   const Eigen::Vector3d first = points.col(0);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -11,14 +11,21 @@ Eigen::Vector3d centroid(const PointsRef& points) {
   return first + sum / static_cast<double>(points.cols());
 }
 
-}  // namespace
-
 CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target_points,
                          double source_spacing, double target_spacing)
     : source_centre_(centroid(source_points)),
       target_centre_(centroid(target_points)),
+      shared_target_(std::make_shared<SurfaceCloud>(target_points, target_centre_, target_spacing)),
       source(source_points, source_centre_, source_spacing),
-      target(target_points, target_centre_, target_spacing) {}
+      target(*shared_target_) {}
+
+CentredPair::CentredPair(const PointsRef& source_points, double source_spacing,
+                         std::shared_ptr<SurfaceCloud> shared_target, Eigen::Vector3d target_centre)
+    : source_centre_(centroid(source_points)),
+      target_centre_(std::move(target_centre)),
+      shared_target_(std::move(shared_target)),
+      source(source_points, source_centre_, source_spacing),
+      target(*shared_target_) {}
 
 Similarity CentredPair::centred(const Similarity& target_from_source) const {
   Similarity pose = target_from_source;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "frontend/alignment/surface_cloud.hpp"
 #include "gmcr/similarity.hpp"
 
@@ -15,6 +17,12 @@ class CentredPair {
   CentredPair(const PointsRef& source, const PointsRef& target, double source_spacing,
               double target_spacing);
 
+  /// The same with a target that other pairs have too.
+  /// @param target         about its centre, with the normals of all its points.
+  /// @param target_centre  metres, the caller's frame.
+  CentredPair(const PointsRef& source, double source_spacing, std::shared_ptr<SurfaceCloud> target,
+              Eigen::Vector3d target_centre);
+
   /// A pose of the caller's frames between the centred ones, and back.
   Similarity centred(const Similarity& target_from_source) const;
   Similarity of_caller(const Similarity& centred) const;
@@ -25,10 +33,14 @@ class CentredPair {
  private:
   Eigen::Vector3d source_centre_;  ///< metres, the caller's frame
   Eigen::Vector3d target_centre_;
+  std::shared_ptr<SurfaceCloud> shared_target_;
 
  public:
   SurfaceCloud source;
-  SurfaceCloud target;
+  SurfaceCloud& target;
 };
+
+/// Mean of the points, summed from the first one: no digit is lost far from 0.
+Eigen::Vector3d centroid(const PointsRef& points);
 
 }  // namespace gmcr::frontend
