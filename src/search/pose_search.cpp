@@ -29,11 +29,13 @@ void PoseSearch::try_pose(const problem::CentredPose& pose) {
   ++run_.diagnostics().num_candidates;
   const problem::Correspondences& c = problem_.correspondences();
   problem::Hypothesis judged = problem_.objective().judge(pose);
-  if (!problem_.constraints().priors.admit_all()) {
-    const auto admitted =
-        estimation::fit_pose(c.source, c.target, c.bounds, judged.inliers, problem_.constraints());
-    if (!admitted) return;
-    judged = problem_.objective().judge({*admitted});
+  // what its rounding alone holds has no say in the pose
+  const std::vector<Index> clear = problem_.clear_of_rounding(judged.inliers);
+  if (!problem_.constraints().priors.admit_all() || clear.size() < judged.inliers.size()) {
+    const auto fitted =
+        estimation::fit_pose(c.source, c.target, c.bounds, clear, problem_.constraints());
+    if (!fitted) return;
+    judged = problem_.objective().judge({*fitted});
   }
   offer(std::move(judged));
 }

@@ -42,7 +42,7 @@ TEST_F(NumbersOfMatches, OutOfRangeAreRefusedByName) {
 TEST_F(NumbersOfMatches, FarOutTakeNothingFromTheOthers) {
   for (const std::string match :
        {"1e20,0,0,0,0,0", "3.4028235e38,0,0,3.4028235e38,0,1", "0,0,7,-1e50,1e50,1e50"}) {
-    for (const std::string scale : {"", "--estimate-scale"}) {
+    for (const std::string scale : {"", "--estimate-scale", "--certify"}) {
       const auto result = run_json(with_fifth(match) + scale);
       EXPECT_EQ(result.at("status"), "ok") << match << scale;
       EXPECT_EQ(result.at("num_inliers"), 4) << match << scale;

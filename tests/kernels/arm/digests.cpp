@@ -13,6 +13,7 @@
 #include "kernels/bit_columns.hpp"
 #include "kernels/bit_row.hpp"
 #include "kernels/branch_choice.hpp"
+#include "kernels/byte_sums.hpp"
 #include "kernels/consistency_row.hpp"
 #include "kernels/consistency_tiles.hpp"
 #include "kernels/descriptor_distances.hpp"
@@ -264,6 +265,21 @@ void digest_points(Random& random) {
   sums.print("add_histograms");
 }
 
+void digest_bytes(Random& random) {
+  constexpr Index kRows = 40, kLength = 301, kFirst = 3;
+  std::vector<std::uint8_t> bytes(kRows * (kFirst + kLength + kernels::kByteSlack));
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.word());
+  std::vector<const std::uint8_t*> rows;
+  for (Index r = 0; r < kRows; ++r) {
+    rows.push_back(bytes.data() + r * (kFirst + kLength + kernels::kByteSlack));
+  }
+  std::vector<std::uint8_t> sums(kLength);
+  kernels::sum_bytes(rows.data(), kRows, kFirst, kLength, sums.data());
+  Digest digest;
+  for (const std::uint8_t sum : sums) digest.add(std::uint64_t{sum});
+  digest.print("byte_sums");
+}
+
 void digest_descriptors(Random& random) {
   constexpr Index kValues = 33, kCount = 70;
   using kernels::GroupedDescriptors;
@@ -306,4 +322,5 @@ int main() {
   digest_features(random);
   digest_points(random);
   digest_descriptors(random);
+  digest_bytes(random);
 }
