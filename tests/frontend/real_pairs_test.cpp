@@ -59,8 +59,7 @@ TEST_P(RealPair, IsRegisteredAndTrustedWithDefaultOptions) {
 INSTANTIATE_TEST_SUITE_P(Frontend, RealPair,
                          ::testing::Values("stanford_scans/bunny_045_000",
                                            "mian_views/trex_view1_view0",
-                                           "lidar/kitti00_000010_000000",
-                                           "3dmatch/redkitchen_4_0",
+                                           "lidar/kitti00_000010_000000", "3dmatch/redkitchen_4_0",
                                            "rgbd_frames/7scenes_700_000"));
 
 class RealObject : public ::testing::TestWithParam<const char*> {};
