@@ -58,7 +58,7 @@ std::string value_cases(const CLI::App& command, const char* pattern) {
     cases += fmt::format(fmt::runtime(pattern), fmt::join(flags, "|"), words);
   }
   const std::string words = words_of_argument(command);
-  const std::string name = command.get_name();
+  const std::string& name = command.get_name();
   return words.empty() ? cases
                        : cases + fmt::format(fmt::runtime(pattern), name + ":" + name, words);
 }

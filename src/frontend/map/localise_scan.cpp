@@ -24,7 +24,6 @@
 namespace gmcr {
 namespace {
 
-using frontend::Candidate;
 using frontend::Place;
 using frontend::PlaceLimits;
 

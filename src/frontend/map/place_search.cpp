@@ -93,8 +93,9 @@ double PlaceSearch::half_turn() { return kTurn / 2; }
 
 Place PlaceSearch::place_of(const Found& found) const {
   Place place;
-  place.x = origin_.x() + kCell * (static_cast<double>(found.cell % width_) + 0.5);
-  place.y = origin_.y() + kCell * (static_cast<double>(found.cell / width_) + 0.5);
+  const Index column = found.cell % width_, row = found.cell / width_;
+  place.x = origin_.x() + kCell * (static_cast<double>(column) + 0.5);
+  place.y = origin_.y() + kCell * (static_cast<double>(row) + 0.5);
   place.ground = static_cast<double>(ground_[static_cast<std::size_t>(found.cell)]);
   place.heading = kTurn * static_cast<double>(found.heading);
   return place;

@@ -101,8 +101,10 @@ void add_poles(Town& town, Random& random) {
   for (const auto& [from, to] : town.streets) {
     const double length = (to - from).norm();
     const Eigen::Vector2d along = (to - from) / length, beside(-along.y(), along.x());
-    for (double at = random.uniform(0, kPoleStep); at < length; at += kPoleStep) {
+    double at = random.uniform(0, kPoleStep);
+    while (at < length) {
       town.cylinders.push_back({from + at * along + (kStreet + 0.5) * beside, 0.12, 0, 7});
+      at += kPoleStep;
     }
   }
 }
@@ -111,10 +113,12 @@ void add_cars(Town& town, Random& random) {
   for (const auto& [from, to] : town.streets) {
     const double length = (to - from).norm();
     const Eigen::Vector2d along = (to - from) / length, beside(-along.y(), along.x());
-    for (double at = random.uniform(0, 15); at < length; at += random.uniform(6, 30)) {
+    double at = random.uniform(0, 15);
+    while (at < length) {
       const double side = random.uniform() < 0.5 ? -1 : 1;
       town.boxes.push_back(
           {from + at * along + side * (kStreet - 1.2) * beside, along, {2.2, 0.9}, 0.2, 1.5});
+      at += random.uniform(6, 30);
     }
   }
 }
@@ -125,16 +129,19 @@ Town make_town(const TownOptions& options) {
   Random random(options.seed), cars(options.cars_seed ^ 0x9e3779b97f4a7c15U);
   Town town;
   town.extent = options.extent;
-  const auto num_blocks = std::max(1, static_cast<int>(options.extent / options.block + 0.5));
-  const double size = options.extent / num_blocks;
-  for (int k = 0; k <= num_blocks; ++k) {
-    town.streets.push_back({{0, k * size}, {options.extent, k * size}});
-    town.streets.push_back({{k * size, 0}, {k * size, options.extent}});
+  const auto num_blocks = std::max(1L, std::lround(options.extent / options.block));
+  const double size = options.extent / static_cast<double>(num_blocks);
+  for (long k = 0; k <= num_blocks; ++k) {
+    const double at = size * static_cast<double>(k);
+    town.streets.push_back({{0, at}, {options.extent, at}});
+    town.streets.push_back({{at, 0}, {at, options.extent}});
   }
   // a row of houses beyond the outermost streets, so that these have two sides
-  for (int i = -1; i <= num_blocks; ++i) {
-    for (int j = -1; j <= num_blocks; ++j)
-      add_block(town, {i * size, j * size}, size, options, random);
+  for (long i = -1; i <= num_blocks; ++i) {
+    for (long j = -1; j <= num_blocks; ++j) {
+      const Eigen::Vector2d corner(size * static_cast<double>(i), size * static_cast<double>(j));
+      add_block(town, corner, size, options, random);
+    }
   }
   add_poles(town, random);
   add_cars(town, cars);
@@ -146,8 +153,10 @@ std::vector<TownPlace> drive(const Town& town, double step) {
   for (const auto& [from, to] : town.streets) {
     const double length = (to - from).norm();
     const Eigen::Vector2d along = (to - from) / length;
-    for (double at = 0; at <= length; at += step) {
+    double at = 0;
+    while (at <= length) {
       places.push_back({from + at * along, std::atan2(along.y(), along.x())});
+      at += step;
     }
   }
   return places;
