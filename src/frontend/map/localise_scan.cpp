@@ -223,7 +223,7 @@ CloudResult Localisation::run() {
   frontend::StageClock clock(result_.registration.diagnostics.stages);
   CloudMatches& matches = result_.matches;
   result_.num_source_points = scan_.cols();
-  result_.num_target_points = map_.fine.cols();
+  result_.num_target_points = map_.num_given;
   result_.num_attempts = 1;
   matches.target_voxel_size = map_.voxel_size;
   matches.source_voxel_size = map_.voxel_size / options_.scale;
