@@ -1,10 +1,10 @@
-"""The page of all benchmarks: a template that holds the prose, filled in with the reports."""
+"""The pages of the benchmarks: templates that hold the prose, filled in with the reports."""
 
 import re
 from collections.abc import Mapping
 from pathlib import Path
 
-TEMPLATE = Path(__file__).with_name("page.md")
+TEMPLATES = Path(__file__).with_name("pages")  # of docs/benchmarks, by the same names
 
 PLACE = re.compile(
     r"^\{\{(?P<name>\w+)(?: (?P<side>until|from) (?P<heading>.+))?\}\}$", re.MULTILINE
@@ -42,6 +42,11 @@ def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
         raise ValueError(f"the template has no place for the blocks {sorted(lost)}")
     page = BLOCK.sub(lambda block: kept.get(block["name"], block[0]), page)
     return fold_tables(re.sub(r"\n{3,}", "\n\n", page).strip() + "\n")
+
+
+def missing(template: str, reports: Mapping[str, str]) -> list[str]:
+    """The reports that a template asks for and that are not there."""
+    return sorted({place["name"] for place in PLACE.finditer(template)} - reports.keys())
 
 
 def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
