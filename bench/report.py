@@ -7,7 +7,6 @@ import shutil
 from pathlib import Path
 
 from reports import batch, clique, clouds, correspondences, micro, paper_synthetic, scaling
-from reports.markdown import bounds_note
 from reports.page import TEMPLATES, compose, missing
 from reports.records import read_records
 
@@ -29,12 +28,11 @@ def write_reports(folder, before):
 
     Returns the reports by name and the paths of the figures.
     """
-    reports, figures, all_records = {}, [], []
+    reports, figures = {}, []
     for name, report in REPORTS.items():
         records = read_records(folder / f"{name}.jsonl")
         if not records:
             continue
-        all_records += records
         if name == "scaling":
             reports[name] = report(
                 records, read_records(before / "scaling.jsonl") if before else []
@@ -50,7 +48,7 @@ def write_reports(folder, before):
         (folder / f"{name}.md").write_text(text)
     for path in [*(folder / f"{name}.md" for name in reports), *figures]:
         print(path)
-    return reports | {"bounds": bounds_note(all_records)}, figures
+    return reports, figures
 
 
 def write_pages(docs, reports, figures):
