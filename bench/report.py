@@ -52,7 +52,7 @@ def write_reports(folder, before):
 
 
 def write_pages(docs, reports, figures):
-    """Writes the pages whose reports are all there into benchmarks/, and their figures into images/."""
+    """Writes the pages whose reports are there into benchmarks/, their figures into images/."""
     for template in sorted(TEMPLATES.glob("*.md")):
         page, text = docs / "benchmarks" / template.name, template.read_text()
         if absent := missing(text, reports):
@@ -70,7 +70,7 @@ def main():
         "folder", type=Path, nargs="?", default=Path("out/bench"), help="where the records are"
     )
     parser.add_argument("--before", type=Path, help="folder of an earlier run, to compare with")
-    parser.add_argument("--docs", type=Path, help="folder whose benchmarks/ to write from them, docs")
+    parser.add_argument("--docs", type=Path, help="folder of the pages to write from them")
     arguments = parser.parse_args()
     reports, figures = write_reports(arguments.folder, arguments.before)
     if arguments.docs:

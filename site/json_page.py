@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/json.md from docs/result.schema.json: site/json_page.py [--check] [PAGE].
+"""Writes the tables of docs/json.md from docs/result.schema.json.
+
+site/json_page.py [--check] [PAGE]
 
 The schema is the one place that says type, unit and meaning of a field. A table stands between
 <!-- begin NAME --> and <!-- end NAME -->; what is around it is prose. --check writes nothing, and

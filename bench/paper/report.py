@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from os.path import relpath
 from pathlib import Path
 
+from reports.page import fold_tables
+
 from paper.data import CHECKOUT
 from paper.figures import FIGURES
 from paper.figures.style import methods_of, save
@@ -19,7 +21,6 @@ from paper.records import read_records
 from paper.runner import SKIPPED
 from paper.scenarios import EXPERIMENTS
 from paper.tables import TABLES
-from reports.page import fold_tables
 
 HEADING = "# The paper's experiments"
 PAGE = Path("benchmarks/paper.md")  # in the folder of the documents

@@ -49,7 +49,7 @@ def missing(template: str, reports: Mapping[str, str]) -> list[str]:
     return sorted({place["name"] for place in PLACE.finditer(template)} - reports.keys())
 
 
-def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
+def _text_at(place: re.Match[str], reports: Mapping[str, str]) -> str:
     name, side, heading = place["name"], place["side"], place["heading"]
     if name not in reports:
         raise ValueError(f"{place[0]}: no records of {name}")
@@ -63,11 +63,11 @@ def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
 
 
 def fold_tables(page: str) -> str:
-    """The page with its long tables folded, so that it can be read; folded ones stay as they are."""
+    """The page with its long tables folded, so that it can be read; folded ones stay so."""
     return _TABLE.sub(_folded, page)
 
 
-def _folded(table: re.Match) -> str:
+def _folded(table: re.Match[str]) -> str:
     head, _, *rows = table[0].strip().split("\n")
     if len(rows) <= LONGEST or table["summary"]:
         return table[0]

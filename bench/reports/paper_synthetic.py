@@ -1,15 +1,32 @@
 """The paper's synthetic benchmarks: what is proven, and whose failure a failure is."""
 
-from reports.markdown import bounds_note, hardware, limits_note, milliseconds, number, percent, table
-from reports.records import by_method, count_of, group_by, mean_gap, median_of, methods_in, quantile_of
+from reports.markdown import (
+    bounds_note,
+    hardware,
+    limits_note,
+    milliseconds,
+    number,
+    percent,
+    table,
+)
+from reports.records import (
+    by_method,
+    count_of,
+    group_by,
+    mean_gap,
+    median_of,
+    methods_in,
+    quantile_of,
+)
 
 COUNTING = {"gmcr-count", "paper"}  # their evidence is the number of inliers
 
 NOTE = (
-    "Certified: proven that no pose has more inliers / more evidence; gap: mean of upper - lower where not. Wrong: a mean "
-    "point error of 0.3 m or more. Truth beaten: the pose is wrong and has at least the evidence of the truth, by the "
-    "method's own objective, so it is the objective that fails. Missed: the truth has more evidence than the pose, so the "
-    "search fell short of the maximum; in brackets those of them where the pose is wrong.\n"
+    "Certified: proven that no pose has more inliers / more evidence; gap: mean of upper - lower "
+    "where not. Wrong: a mean point error of 0.3 m or more. Truth beaten: the pose is wrong and "
+    "has at least the evidence of the truth, by the method's own objective, so it is the "
+    "objective that fails. Missed: the truth has more evidence than the pose, so the search fell "
+    "short of the maximum; in brackets those of them where the pose is wrong.\n"
 )
 
 
@@ -21,10 +38,11 @@ def report(records):
 def report_certified(records):
     """The same problems with the time that is left spent on the certificate."""
     limits = {r.get("time_limit") for r in records if r["method"] == "gmcr-certify"} - {None}
+    limit = number(max(limits, default=None))
     text = "# With certify\n\n" + hardware(records)
     text += (
-        f"{protocol(records)} `gmcr-certify` spends what the search leaves of {number(max(limits, default=None))} s on "
-        "the certificate.\n\n"
+        f"{protocol(records)} `gmcr-certify` spends what the search leaves of {limit} s on the "
+        "certificate.\n\n"
     )
     return text + tables(records, with_time=True)
 
@@ -44,7 +62,8 @@ def protocol(records):
 
 
 def time_cell(records):
-    return f"{milliseconds(median_of(records, 'wall_ms'))} ({milliseconds(quantile_of(records, 0.9, 'wall_ms'))})"
+    late = quantile_of(records, 0.9, "wall_ms")
+    return f"{milliseconds(median_of(records, 'wall_ms'))} ({milliseconds(late)})"
 
 
 def certificate_table(records, with_time):
@@ -57,7 +76,7 @@ def certificate_table(records, with_time):
     rows = []
     for (rate,), at_rate in sorted(group_by(records, "outlier_rate").items()):
         row = [f"{100 * rate:.0f}"]
-        for method, mine in zip(methods, by_method(at_rate, methods)):
+        for method, mine in zip(methods, by_method(at_rate, methods), strict=True):
             row += certificate_cells(mine, both=method not in COUNTING) if mine else ["-"] * 4
             row += [time_cell(mine)] if with_time else []
         rows.append(row)

@@ -1,4 +1,4 @@
-"""The pages of the benchmarks: what fills their templates, what stays, and what the summary says of them."""
+"""The pages of the benchmarks: what fills them, what stays, and what the summary says of them."""
 
 import re
 import sys
