@@ -91,6 +91,8 @@ class Page(unittest.TestCase):
             (pages / "b.md").write_text(text)
             with self.assertRaisesRegex(SystemExit, "2 blocks of more"):
                 replace_block(Path(folder), "more", "new")
+            replace_block(pages / "b.md", "more", "newer")
+            self.assertIn("newer", (pages / "b.md").read_text())
 
     def test_every_block_that_a_program_writes_has_a_place(self) -> None:
         pages = "".join(page.read_text() for page in (ROOT / "docs/benchmarks").glob("*.md"))
