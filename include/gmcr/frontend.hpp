@@ -228,7 +228,8 @@ std::vector<CloudResult> register_cloud_instances(const PointsRef& source, const
 /// of the points, in frames at their centroids. The scale is refined where it is estimated; the
 /// priors are kept. A refined pose is accepted where the surfaces meet more closely, relative to
 /// the noise; the number of inliers has no say. Its half turns, and what were rivals of the pose
-/// before, are compared with it anew (`CloudResult::rivals`).
+/// before, are compared with it anew (`CloudResult::rivals`). The covariance is that of the
+/// surfaces.
 /// @param source, target  the clouds that the result is of.
 /// @param options  that the result was computed with; `time_limit` ends the refinement.
 /// @throws std::invalid_argument as `register_clouds`.

@@ -60,11 +60,12 @@ struct Certificate {
   std::vector<Index> inliers;     ///< its consensus set, ascending
 };
 
-/// How well the matches determine the transform, from the residuals within 3 noise bounds:
+/// How well the transform is determined. By matches, from the residuals within 3 noise bounds:
 /// first-order covariance of the likeliest fit, the noise of b_i with a standard deviation
 /// proportional to noise_bound_i, its level estimated from the residuals themselves, and enlarged
 /// where the residuals of near matches go together. Exact data leaves the rounding of the target
-/// points.
+/// points. Of two clouds whose pose was refined, by the surfaces: the scatter of what their parts
+/// say, over how much the pose is held; along motions that they leave open, by the matches.
 ///
 /// The parameters are those of  x -> exp(sigma) s exp([omega]x) R x + t + tau, in this order: omega
 /// (3, radians, target frame, applied after R), tau (3, metres), and where the scale was estimated
@@ -176,6 +177,8 @@ struct Result {
   std::string verdict_reason;  ///< one sentence
   /// log10 of the expected number of consensus sets as large among random matches of the same
   /// points; the more negative, the surer. Above 0 chance explains it; 0 where there is no pose.
+  /// Where the pose was found at another noise bound than the given one, as chance explains what
+  /// agrees there, it speaks of that bound; `verdict_reason` names it.
   double log10_false_alarms = 0;
   Certificate certificate;
   /// Scales at which all pairs of inliers agree (L1); contains that of the transform. min == max

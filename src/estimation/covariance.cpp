@@ -23,8 +23,6 @@ constexpr Index kMaxShared = 2000;  ///< matches whose pairs are looked at
 
 // of the 6 or 7 parameters: sizes that the compiler knows to be small
 using Parameters = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 7, 1>;
-using ParameterMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7, 7>;
 
 /// The correspondences that a fit uses, each with what it says.
 struct Residuals {
@@ -131,16 +129,14 @@ Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// The caller's parameters (omega, tau, sigma) from those about the centroid, where tau' is the
-/// motion of the centroid:  tau = tau' - omega x lever - sigma lever.
+}  // namespace
+
 ParameterMatrix parameters_from_central(const Eigen::Vector3d& lever, Index num_parameters) {
   ParameterMatrix map = ParameterMatrix::Identity(num_parameters, num_parameters);
   map.block<3, 3>(3, 0) = cross_product_matrix(lever);
   if (num_parameters == 7) map.block<3, 1>(3, 6) = -lever;
   return map;
 }
-
-}  // namespace
 
 std::optional<Covariance> estimate_covariance(const Similarity& target_from_source,
                                               const PointsRef& source, const PointsRef& target,

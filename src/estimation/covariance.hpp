@@ -10,6 +10,16 @@
 
 namespace gmcr::estimation {
 
+/// A matrix of the 6 or 7 parameters of `Covariance`.
+using ParameterMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7, 7>;
+
+/// The parameters (omega, tau, sigma) of `Covariance` from those of a motion about a centre c,
+/// q -> q + omega x (q - c) + tau' + sigma (q - c):  tau = tau' - omega x lever - sigma lever.
+/// @param lever  c - t, metres, target frame.
+/// @param num_parameters  6 or 7.
+ParameterMatrix parameters_from_central(const Eigen::Vector3d& lever, Index num_parameters);
+
 /// How well correspondences determine the likeliest transform between them.
 ///
 /// First-order covariance of the likeliest fit (`NoiseMixture`): the noise of b_i is taken as

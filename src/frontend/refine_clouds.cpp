@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontend/alignment/refine_pose.hpp"
+#include "frontend/alignment/surface_covariance.hpp"
 #include "frontend/cloud_pair.hpp"
 #include "frontend/features/stage_clock.hpp"
 #include "frontend/judgement/hypotheses.hpp"
@@ -58,6 +59,9 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
       const Candidate candidate{refined.target_from_source, true, refined.noise, 0};
       result = take(std::move(result), candidate, voxels, options);
     }
+    std::optional<Covariance>& covariance = result.registration.covariance;
+    covariance = surface_covariance(pair, refined, options.scale_mode == ScaleMode::Estimated,
+                                    covariance, options.num_threads);
   }
   note_time(result, deadline);
   result.refinement.note = note_on(result, matched);

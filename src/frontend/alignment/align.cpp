@@ -16,16 +16,15 @@ constexpr double kMaxAngle = 0.35;  // radians a step
 constexpr double kMaxGrowth = 0.1;  // relative change of the scale a step
 constexpr int kMaxHalvings = 6;
 
-using Step = Eigen::Matrix<double, 7, 1>;  // as in `NormalEquations`, metres
 using UpToSeven = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7, 7>;
 
 /// Solves for the step along the directions that the pairs determine.
-Step solve(const NormalEquations& equations, bool estimates_scale) {
+MotionStep solve(const NormalEquations& equations, bool estimates_scale) {
   const Index size = estimates_scale ? 7 : 6;
   const UpToSeven matrix = equations.matrix.topLeftCorner(size, size);
   const Eigen::SelfAdjointEigenSolver<UpToSeven> solver(matrix);
   const auto& values = solver.eigenvalues();
-  Step step = Step::Zero();
+  MotionStep step = MotionStep::Zero();
   for (Index k = 0; k < size; ++k) {
     if (!(values[k] > kRankTolerance * values[size - 1])) continue;
     const auto direction = solver.eigenvectors().col(k);
@@ -36,8 +35,20 @@ Step solve(const NormalEquations& equations, bool estimates_scale) {
   return step / std::max({1.0, angle / kMaxAngle, growth / kMaxGrowth});
 }
 
-/// The pose after a share of the step.
-Similarity moved_by(const Step& step, const NormalEquations& equations, const Similarity& pose) {
+/// The pose after the longest of the step, a half, a quarter and so on that is admitted.
+std::optional<Similarity> admitted_step(MotionStep& step, const NormalEquations& equations,
+                                        const AlignmentRules& rules, const Similarity& pose) {
+  for (int halving = 0; halving <= kMaxHalvings; ++halving, step /= 2) {
+    const Similarity next = moved_by(step, equations, pose);
+    if (rules.admits(next)) return next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Similarity moved_by(const MotionStep& step, const NormalEquations& equations,
+                    const Similarity& pose) {
   const Eigen::Vector3d turn = step.head<3>() / equations.lever;
   const double angle = turn.norm();
   Similarity motion;
@@ -49,18 +60,6 @@ Similarity moved_by(const Step& step, const NormalEquations& equations, const Si
   next.rotation = Eigen::Quaterniond(next.rotation).normalized().toRotationMatrix();
   return next;
 }
-
-/// The pose after the longest of the step, a half, a quarter and so on that is admitted.
-std::optional<Similarity> admitted_step(Step& step, const NormalEquations& equations,
-                                        const AlignmentRules& rules, const Similarity& pose) {
-  for (int halving = 0; halving <= kMaxHalvings; ++halving, step /= 2) {
-    const Similarity next = moved_by(step, equations, pose);
-    if (rules.admits(next)) return next;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 double kernel_of(const PlanePairs& pairs, const AlignmentRound& round) {
   return std::clamp(kKernelOfNoise * estimate_noise(pairs), round.least_kernel,
@@ -76,7 +75,7 @@ Similarity align(SurfaceCloud& source, SurfaceCloud& target, const Samples& samp
                                             [](const PlanePair& p) { return p.agreement > 0; });
     if (num_agreeing < kLeastPairs) break;
     const NormalEquations equations = normal_equations(pairs, kernel_of(pairs, round));
-    Step step = solve(equations, rules.estimates_scale);
+    MotionStep step = solve(equations, rules.estimates_scale);
     const auto next = admitted_step(step, equations, rules, pose);
     if (!next) break;
     pose = *next;

@@ -32,6 +32,10 @@ inline constexpr double kKernelOfNoise = 3;
 /// Width of the kernel for these pairs, metres.
 double kernel_of(const PlanePairs& pairs, const AlignmentRound& round);
 
+/// The pose after a small motion, in the parameters of the equations.
+Similarity moved_by(const MotionStep& step, const NormalEquations& equations,
+                    const Similarity& pose);
+
 /// The pose at which the plane patches of the two clouds meet best: generalised ICP (Segal, Haehnel
 /// and Thrun, RSS 2009) with the kernel of Geman and McClure, whose width follows the noise found.
 ///

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frontend/alignment/plane_metric.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
@@ -16,43 +17,11 @@ double agreement_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::clamp(2 * std::abs(a.dot(b)) - 1, 0.0, 1.0);
 }
 
-/// Inverse of the sum of the covariances of two plane patches, each (1, 1, kFlatness along its
-/// normal), in units in which two parallel patches weigh 1 along their normal: with a and b the
-/// normals,  isotropic I + sum (a + b)(a + b)' + difference (a - b)(a - b)'.
-///
-/// a + b, a - b and a x b are eigenvectors of  2 I - (1 - f)(a a' + b b'),  with the eigenvalues
-/// 2 - (1 - f)(1 + a b), 2 - (1 - f)(1 - a b) and 2.
-struct Information {
-  static constexpr double isotropic = kFlatness;
-  double sum, difference;
-
-  explicit Information(double cosine) : sum(share(1 + cosine)), difference(share(1 - cosine)) {}
-
-  static double share(double eigenvalue) {
-    return kFlatness * (1 - kFlatness) / (4 - 2 * (1 - kFlatness) * eigenvalue);
-  }
-};
-
 double squared_distance_of(const PlanePair& pair) {
-  const Information information(pair.normal.dot(pair.moved_normal));
+  const PlaneMetric metric(pair.normal.dot(pair.moved_normal));
   const double a = pair.residual.dot(pair.moved_normal), b = pair.residual.dot(pair.normal);
-  return Information::isotropic * pair.residual.squaredNorm() +
-         information.sum * (a + b) * (a + b) + information.difference * (a - b) * (a - b);
-}
-
-double weight_of(const PlanePair& pair, double kernel) {
-  const double ratio = kernel * kernel / (kernel * kernel + pair.squared_distance);
-  return pair.agreement * ratio * ratio;
-}
-
-using Step = Eigen::Matrix<double, 7, 1>;
-
-/// Change of  n . x  with each of the seven parameters in metres, of a point at `arm` levers from
-/// the pivot.
-Step along(const Eigen::Vector3d& n, const Eigen::Vector3d& arm) {
-  Step step;
-  step << arm.cross(n), n, arm.dot(n);
-  return step;
+  return PlaneMetric::isotropic * pair.residual.squaredNorm() + metric.sum * (a + b) * (a + b) +
+         metric.difference * (a - b) * (a - b);
 }
 
 }  // namespace
@@ -153,13 +122,13 @@ NormalEquations normal_equations(const PlanePairs& pairs, double kernel) {
     const double weight = weight_of(pair, kernel);
     if (weight == 0) continue;
     const Eigen::Vector3d arm = (pair.moved - equations.pivot) / equations.lever;
-    const Information information(pair.normal.dot(pair.moved_normal));
+    const PlaneMetric metric(pair.normal.dot(pair.moved_normal));
     const Eigen::Vector3d sum = pair.moved_normal + pair.normal;
     const Eigen::Vector3d difference = pair.moved_normal - pair.normal;
-    const Step by_sum = along(sum, arm), by_difference = along(difference, arm);
-    const double isotropic = weight * Information::isotropic;
-    const Step of_sum = (weight * information.sum) * by_sum;
-    const Step of_difference = (weight * information.difference) * by_difference;
+    const MotionStep by_sum = along(sum, arm), by_difference = along(difference, arm);
+    const double isotropic = weight * PlaneMetric::isotropic;
+    const MotionStep of_sum = (weight * metric.sum) * by_sum;
+    const MotionStep of_difference = (weight * metric.difference) * by_difference;
     weights += isotropic;
     arms += isotropic * arm;
     squares += isotropic * arm * arm.transpose();

@@ -57,14 +57,17 @@ double estimate_noise(const PlanePairs& pairs);
 /// number, in [0, 1]; a sample without a pair, or with one whose normals disagree, costs 1.
 double mean_cost(const PlanePairs& pairs, double kernel);
 
+/// A small motion: rotation, translation and growth, the first and the last times a lever, metres.
+using MotionStep = Eigen::Matrix<double, 7, 1>;
+
 /// Normal equations of a small motion  x -> x + omega x (x - pivot) + tau + sigma (x - pivot)  of
 /// the moved points; rotation and scale are multiplied by `lever`, so that all are metres.
 struct NormalEquations {
-  Eigen::Matrix<double, 7, 7> matrix;    ///< omega (3), tau (3), sigma
-  Eigen::Matrix<double, 7, 1> gradient;  ///< half of that of the cost
-  Eigen::Vector3d pivot;                 ///< weighted mean of the moved points
-  double lever = 0;                      ///< their RMS distance from it, metres
-  double weight = 0;                     ///< sum of the weights
+  Eigen::Matrix<double, 7, 7> matrix;  ///< omega (3), tau (3), sigma
+  MotionStep gradient;                 ///< half of that of the cost
+  Eigen::Vector3d pivot;               ///< weighted mean of the moved points
+  double lever = 0;                    ///< their RMS distance from it, metres
+  double weight = 0;                   ///< sum of the weights
 };
 
 /// Gauss-Newton with the weights (kernel^2 / (kernel^2 + e^2))^2 of Geman and McClure, times the

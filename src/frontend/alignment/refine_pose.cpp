@@ -1,5 +1,6 @@
 #include "frontend/alignment/refine_pose.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "frontend/alignment/align.hpp"
@@ -54,7 +55,8 @@ AlignmentRules rules_of(const CentredPair& pair, const Options& options,
 
 RefinedPose refine_pose(CentredPair& pair, const Similarity& start, const RefinementScale& scale,
                         const Options& options, const parallel::Deadline& deadline) {
-  RefinedPose refined{start, false, 0};
+  RefinedPose refined;
+  refined.target_from_source = start;
   const Samples samples = choose_samples(pair.source, pair.target, scale.max_samples);
   const AlignmentRules rules = rules_of(pair, options, deadline);
   const std::vector<AlignmentRound> rounds = rounds_of(scale);
@@ -67,11 +69,13 @@ RefinedPose refine_pose(CentredPair& pair, const Similarity& start, const Refine
   const auto pairs_at = [&](const Similarity& pose) {
     return find_pairs(pair.source, pair.target, samples, pose, last.radius, options.num_threads);
   };
-  const PlanePairs pairs = pairs_at(after);
-  const double kernel = kernel_of(pairs, last);
-  refined.is_applied = mean_cost(pairs, kernel) < mean_cost(pairs_at(before), kernel);
+  PlanePairs pairs = pairs_at(after), first = pairs_at(before);
+  refined.radius = last.radius;
+  refined.kernel = kernel_of(pairs, last);
+  refined.is_applied = mean_cost(pairs, refined.kernel) < mean_cost(first, refined.kernel);
+  refined.pairs = std::move(refined.is_applied ? pairs : first);
   if (!refined.is_applied) return refined;
-  refined.noise = estimate_noise(pairs);
+  refined.noise = estimate_noise(refined.pairs);
   refined.target_from_source = pair.of_caller(after);
   return refined;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "frontend/alignment/centred_pair.hpp"
+#include "frontend/alignment/plane_pairs.hpp"
 #include "gmcr/options.hpp"
 #include "gmcr/similarity.hpp"
 #include "parallel/deadline.hpp"
@@ -12,6 +13,9 @@ struct RefinedPose {
   Similarity target_from_source;
   bool is_applied = false;  ///< the surfaces meet more closely there than at the start
   double noise = 0;         ///< standard deviation of what meets, along the normals, metres
+  PlanePairs pairs;         ///< what meets at it
+  double radius = 0;        ///< metres: of the search for them
+  double kernel = 0;        ///< metres: of their cost
 };
 
 /// How coarse the clouds are, and where the alignment starts.

@@ -11,9 +11,6 @@ namespace {
 /// Agreement of normals at 26 and at 37 degrees between them.
 constexpr double kAlike = 0.8;
 constexpr double kMeeting = 0.6;
-/// Stiffness below which a motion is not held. Bare ground leaves two of 0.002 to 0.007, since its
-/// normals are noisy; an object whose turn still is held has 0.01.
-constexpr double kWeak = 0.008;
 
 using Motion = Eigen::Matrix<double, 6, 1>;  // turn times the lever, shift
 using MotionMatrix = Eigen::Matrix<double, 6, 6>;
@@ -64,7 +61,7 @@ MotionMatrix stiffness_of(const std::vector<PlanePair>& pairs) {
 /// The weak motions, told apart into turns and shifts: any mixture of equally weak ones is as weak.
 std::vector<WeakDirection> weak_directions_of(const std::vector<PlanePair>& pairs) {
   const Eigen::SelfAdjointEigenSolver<MotionMatrix> solver(stiffness_of(pairs));
-  const Index num_weak = (solver.eigenvalues().array() < kWeak).count();
+  const Index num_weak = (solver.eigenvalues().array() < kWeakStiffness).count();
   if (num_weak == 0) return {};
   // Of their span, the motions with the least and the most of a turn: the last eigenvectors of
   // (share of a turn, within the span) + 1, which is 0 outside.

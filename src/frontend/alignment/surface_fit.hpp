@@ -5,6 +5,10 @@
 
 namespace gmcr::frontend {
 
+/// Stiffness below which a motion is not held. Bare ground leaves two of 0.002 to 0.007, since its
+/// normals are noisy; an object whose turn still is held has 0.01.
+inline constexpr double kWeakStiffness = 0.008;
+
 /// How the surfaces meet under a pose, from at most so many points of each.
 /// @param target_from_source  of the caller's frames.
 /// @param radius  metres, target frame: what is nearer than that meets.
