@@ -31,6 +31,7 @@ from scenes import Scan
 MAX_ERROR_DEG = 5.0
 MAX_ERROR_OF_EXTENT = 0.05
 MAX_SYMMETRIC_ERROR = 0.02
+MAX_SCALE_ERROR = 0.1
 FURTHER_SETS = ("kitti_fpfh", "gore")  # of no bearing on how the front end was made
 NUM_QUERIES = 500
 
@@ -53,12 +54,15 @@ def errors_of(scan: Scan, found: np.ndarray) -> dict[str, object]:
     error = float(np.linalg.norm(moved - there, axis=1).mean() / np.ptp(scan.target, axis=0).max())
     is_right = degrees <= MAX_ERROR_DEG and error <= MAX_ERROR_OF_EXTENT
     if not is_right and scan.name.startswith("objects_ycb"):
-        is_right = symmetric_error(moved, there) <= MAX_SYMMETRIC_ERROR
+        is_right = max(symmetric_error(moved, there), symmetric_error(there, moved)) <= (
+            MAX_SYMMETRIC_ERROR
+        )
+    scale_error = float(abs(scale / true_scale - 1))
     return {
-        "right": is_right,
+        "right": is_right and scale_error <= MAX_SCALE_ERROR,
         "rotation_deg": degrees,
         "error_of_extent": error,
-        "scale_error": float(abs(scale / true_scale - 1)),
+        "scale_error": scale_error,
     }
 
 
