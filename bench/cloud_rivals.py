@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Raw clouds side by side: gmcr.register_clouds, and KISS-Matcher followed by small_gicp.
 
-bench/cloud_rivals.py [--out out/bench/cloud_rivals.jsonl] [--docs docs/benchmarks.md]
+bench/cloud_rivals.py [--out out/bench/cloud_rivals.jsonl] [--docs docs]
 
 Both start from the same clouds in memory and end with a refined pose. KISS-Matcher takes voxels of
 0.3 m, so its clouds are scaled to ours; small_gicp (GICP) follows with search radii of 3 and 1
@@ -17,7 +17,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import re
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -31,9 +30,9 @@ os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 import gmcr
 import numpy as np
+from page_block import replace_block
 from paper.data import CLOUD_SETS, DataAbsent, pairs_of, read_points, read_pose
 from paper.problem import Pose
-from reports.page import fold_tables
 
 KISS_VOXEL = 0.3  # metres: its default, and where its other defaults hold
 MAX_ERROR_DEG = 5.0
@@ -62,7 +61,7 @@ def main() -> int:
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--sets", default=",".join(CLOUD_SETS), help="comma between")
-    parser.add_argument("--docs", type=Path, help="page whose block is replaced")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     given = parser.parse_args()
     methods = {
         "gmcr": lambda pair: run_gmcr(pair, given.threads),
@@ -87,17 +86,8 @@ def main() -> int:
     text = table(records)
     print(text)
     if given.docs:
-        replace_block(given.docs, text)
+        replace_block(given.docs, "cloud_rivals", text)
     return 0
-
-
-def replace_block(page: Path, text: str) -> None:
-    block = f"<!-- begin cloud_rivals -->\n{fold_tables(text)}\n<!-- end cloud_rivals -->"
-    pattern = r"<!-- begin cloud_rivals -->\n.*?<!-- end cloud_rivals -->"
-    content, count = re.subn(pattern, lambda _: block, page.read_text(), flags=re.DOTALL)
-    if count != 1:
-        raise SystemExit(f"{page}: no block of cloud rivals")
-    page.write_text(content)
 
 
 def load(folder: Path) -> Pair:

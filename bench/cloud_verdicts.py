@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Calibrates the verdict on clouds: poses that are known to be right or wrong, judged by default.
 
-bench/cloud_verdicts.py [--docs docs/benchmarks.md] [--records out/bench/cloud_verdicts.jsonl]
+bench/cloud_verdicts.py [--docs docs] [--records out/bench/cloud_verdicts.jsonl]
 
 Real pairs, synthetic scans, mirrored ones, unrelated ones; of each pair the pose that is found and,
 where the truth is known, wrong ones from elsewhere, refined where they are. Prints tables in
@@ -256,7 +256,7 @@ def run(size: int, sets: str, path: Path) -> Iterator[dict]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--docs", type=Path, help="page whose block is replaced")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     parser.add_argument("--records", type=Path, default=Path("out/bench/cloud_verdicts.jsonl"))
     parser.add_argument(
         "--from-records", type=Path, nargs="+", help="of earlier runs, by set: nothing is run"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A scan in a map: the table of what `bench_maps` recorded.
 
-bench/maps.py RECORDS.jsonl ... [--docs docs/benchmarks.md]
+bench/maps.py RECORDS.jsonl ... [--docs docs]
 
 Right: within 0.5 m and 2 degrees. Of another place: scans that were not taken in the map, of which
 none is right. Prints a table in Markdown, and writes it into the page.
@@ -54,7 +54,7 @@ def row_of(group: list[dict]) -> list[str]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("records", nargs="+", type=Path)
-    parser.add_argument("--docs", type=Path, help="page to write the table into")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     arguments = parser.parse_args()
     records = [record for path in arguments.records for record in read_records(path)]
     if not records:

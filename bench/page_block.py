@@ -1,28 +1,29 @@
-"""Parts of a page that programs write: between <!-- begin NAME --> and <!-- end NAME -->."""
+"""Parts of the pages that programs write: between <!-- begin NAME --> and <!-- end NAME -->."""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
-from reports.page import fold_tables
+from reports.page import BLOCK, fold_tables
 
 
-def replace_block(page: Path, name: str, text: str) -> None:
-    """Writes the text into its block of the page.
+def replace_block(docs: Path, name: str, text: str) -> None:
+    """Writes the text into its block, on the page of docs/benchmarks that has it, or on this page.
 
     Raises
     ------
     SystemExit
-        Where the page has no such block, or several.
+        Where no page has such a block, or several have.
     """
-    begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
-    changed, count = re.subn(
-        f"{begin}.*?{end}",
-        lambda _: f"{begin}{text}{end}",
-        page.read_text(),
-        flags=re.DOTALL,
-    )
-    if count != 1:
-        raise SystemExit(f"{page}: no block of {name}")
-    page.write_text(fold_tables(changed))
+    paths = [docs] if docs.is_file() else sorted((docs / "benchmarks").glob("*.md"))
+    pages = {path: path.read_text() for path in paths}
+    found = [(path, block) for path in pages for block in _blocks(pages[path], name)]
+    if len(found) != 1:
+        raise SystemExit(f"{docs}: {len(found)} blocks of {name}, not one")
+    path, block = found[0]
+    new = f"<!-- begin {name} -->\n{text.rstrip()}\n<!-- end {name} -->"
+    path.write_text(fold_tables(pages[path].replace(block, new)))
+
+
+def _blocks(page: str, name: str) -> list[str]:
+    return [block[0] for block in BLOCK.finditer(page) if block["name"] == name]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the returned poses: accuracy, at any bound, on any shape, and their covariance.
 
-bench/poses.py [--docs docs/benchmarks.md]
+bench/poses.py [--docs docs]
 
 Prints tables in Markdown, and writes them into the page. Needs the package (tools/make_venv) and the
 real data: $GMCR_DATA, else ../shared/data. "held" is the pose that holds the most, the certificate's.
@@ -10,7 +10,6 @@ real data: $GMCR_DATA, else ../shared/data. "held" is the pose that holds the mo
 from __future__ import annotations
 
 import argparse
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
@@ -18,11 +17,11 @@ from pathlib import Path
 
 import gmcr
 import numpy as np
+from page_block import replace_block
 from paper.data import pairs_of, read_points, read_pose
 from paper.problem import Pose, Problem
 from paper.scenarios.real import make_problem
 from paper.scenarios.synthetic import load_model, problem_of
-from reports.page import fold_tables
 
 MATCHED = ("kitti_fpfh", "gore")
 RAW = ("stanford_scans", "mian_views", "lidar", "mining_lidar")
@@ -332,10 +331,10 @@ def calibration() -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--docs", type=Path, help="page whose block is replaced")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     given = parser.parse_args()
     text = "\n".join(
-        f"### {title}\n\n{part()}"
+        f"## {title}\n\n{part()}"
         for title, part in (
             ("Accuracy and covariance", accuracy),
             ("At any bound", any_bound),
@@ -345,14 +344,7 @@ def main() -> None:
     )
     print(text)
     if given.docs:
-        page = given.docs.read_text()
-        block = f"<!-- begin poses -->\n{text}<!-- end poses -->"
-        page, count = re.subn(
-            r"<!-- begin poses -->\n.*?<!-- end poses -->", lambda _: block, page, flags=re.DOTALL
-        )
-        if count != 1:
-            raise SystemExit(f"{given.docs}: no block of poses")
-        given.docs.write_text(fold_tables(page))
+        replace_block(given.docs, "poses", text)
 
 
 if __name__ == "__main__":

@@ -7,8 +7,7 @@ import shutil
 from pathlib import Path
 
 from reports import batch, clique, clouds, correspondences, micro, paper_synthetic, scaling
-from reports.markdown import bounds_note
-from reports.page import TEMPLATE, compose
+from reports.page import TEMPLATES, compose, missing
 from reports.records import read_records
 
 REPORTS = {
@@ -21,7 +20,7 @@ REPORTS = {
     "batch": batch.report,
 }
 
-FIGURES = {"paper_synthetic": paper_synthetic.draw_success, "scaling": scaling.draw}
+FIGURES = {"scaling": scaling.draw}
 
 
 def write_reports(folder, before):
@@ -29,12 +28,11 @@ def write_reports(folder, before):
 
     Returns the reports by name and the paths of the figures.
     """
-    reports, figures, all_records = {}, [], []
+    reports, figures = {}, []
     for name, report in REPORTS.items():
         records = read_records(folder / f"{name}.jsonl")
         if not records:
             continue
-        all_records += records
         if name == "scaling":
             reports[name] = report(
                 records, read_records(before / "scaling.jsonl") if before else []
@@ -50,16 +48,20 @@ def write_reports(folder, before):
         (folder / f"{name}.md").write_text(text)
     for path in [*(folder / f"{name}.md" for name in reports), *figures]:
         print(path)
-    return reports | {"bounds": bounds_note(all_records)}, figures
+    return reports, figures
 
 
-def write_page(path, reports, figures):
-    """Writes the page and puts its figures into images/ beside it."""
-    before = path.read_text() if path.exists() else ""
-    path.write_text(compose(TEMPLATE.read_text(), reports, before))
-    print(path)
+def write_pages(docs, reports, figures):
+    """Writes the pages whose reports are there into benchmarks/, their figures into images/."""
+    for template in sorted(TEMPLATES.glob("*.md")):
+        page, text = docs / "benchmarks" / template.name, template.read_text()
+        if absent := missing(text, reports):
+            print(f"{page} is left as it is: no records of {', '.join(absent)}")
+            continue
+        page.write_text(compose(text, reports, page.read_text() if page.exists() else ""))
+        print(page)
     for figure in figures:
-        print(shutil.copy(figure, path.parent / "images"))
+        print(shutil.copy(figure, docs / "images"))
 
 
 def main():
@@ -68,11 +70,11 @@ def main():
         "folder", type=Path, nargs="?", default=Path("out/bench"), help="where the records are"
     )
     parser.add_argument("--before", type=Path, help="folder of an earlier run, to compare with")
-    parser.add_argument("--docs", type=Path, help="page to write from them all, docs/benchmarks.md")
+    parser.add_argument("--docs", type=Path, help="folder of the pages to write from them")
     arguments = parser.parse_args()
     reports, figures = write_reports(arguments.folder, arguments.before)
     if arguments.docs:
-        write_page(arguments.docs, reports, figures)
+        write_pages(arguments.docs, reports, figures)
 
 
 if __name__ == "__main__":

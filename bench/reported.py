@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs what people reported to other tools, and says what was expected and what came out.
 
-bench/reported.py [--tool build/release/bin/gmcr] [--docs docs/benchmarks.md]
+bench/reported.py [--tool build/release/bin/gmcr] [--docs docs]
 
 Prints a table in Markdown, and writes it into the page. Needs the real data: $GMCR_DATA, else
 ../shared/data. Exits with 1 where something is not as expected.
@@ -288,7 +288,7 @@ def outcome(tool: Path, folder: Path, words: str, wanted: Expected) -> tuple[boo
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--tool", type=Path, default=Path("build/release/bin/gmcr"))
-    parser.add_argument("--docs", type=Path, help="page whose block is replaced")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     parser.add_argument("--reports", default="", help="those whose names match")
     given = parser.parse_args()
     rows = [["report", "run", "expected", "got", "verdict", "s", ""], ["---"] * 7]

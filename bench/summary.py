@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes BENCHMARK.md, one screen, from the recorded tables of docs/benchmarks.md.
+"""Writes BENCHMARK.md, one screen, from the recorded tables of docs/benchmarks.
 
 bench/summary.py [--check]    --check writes nothing, and fails where the page would be another
 
@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-RECORDS = ROOT / "docs/benchmarks.md"
+RECORDS = ROOT / "docs/benchmarks"
 PAGE = ROOT / "BENCHMARK.md"
 RIVALS = ("KISS-Matcher", "FGR (Open3D)", "RANSAC (Open3D)", "RANSAC10k")
 
@@ -25,15 +25,20 @@ Row = dict[str, str]
 
 
 class Records:
-    """The tables of a page, by the heading that they stand under."""
+    """The tables of pages, by the heading that they stand under."""
 
-    def __init__(self, page: str) -> None:
-        self._sections = dict(_sections(page))
-        self.page = page
+    def __init__(self, pages: str) -> None:
+        self._sections = dict(_sections(pages))
+        self._pages = pages
+
+    @classmethod
+    def read(cls) -> Records:
+        """Those of the project."""
+        return cls("\n".join(page.read_text() for page in sorted(RECORDS.glob("*.md"))))
 
     def rows(self, heading: str, column: str) -> list[Row]:
         """Rows of the first table under a heading that has a column of that name."""
-        for table in self._sections[heading]:
+        for table in _tables(self._sections[heading]):
             if column in table[0]:
                 return table
         raise KeyError(f"no table under '{heading}' has a column '{column}'")
@@ -46,19 +51,27 @@ class Records:
                 return row
         raise KeyError(f"no row {wanted} under '{heading}'")
 
-    def sentence(self, pattern: str) -> str:
-        """The first match of a pattern in the whole page, on one line."""
-        found = re.search(pattern, self.page)
+    def bounds(self) -> str:
+        """How often the truth lies above a proven bound, of all runs of all pages."""
+        found = re.findall(r"above a proven upper bound in (\d+) of (\d+) runs", self._pages)
+        above, runs = (sum(map(int, counts)) for counts in zip(*found, strict=True))
+        return f"The truth lies above a proven upper bound in {above} of {runs} runs"
+
+    def sentence(self, heading: str, pattern: str) -> str:
+        """The first match of a pattern under a heading, on one line."""
+        found = re.search(pattern, self._sections[heading])
         if not found:
-            raise KeyError(f"the page does not say '{pattern}'")
+            raise KeyError(f"under '{heading}' no page says '{pattern}'")
         return " ".join(found[0].split())
 
 
-def _sections(page: str) -> Iterator[tuple[str, list[list[Row]]]]:
-    parts = re.split(r"^#+ (.+)$", page, flags=re.MULTILINE)
-    for heading, text in zip(parts[1::2], parts[2::2], strict=True):
-        tables = re.findall(r"^\|.+(?:\n\|.*)+", text, re.MULTILINE)
-        yield heading, [_rows(table) for table in tables]
+def _sections(pages: str) -> Iterator[tuple[str, str]]:
+    parts = re.split(r"^#+ (.+)$", pages, flags=re.MULTILINE)
+    yield from zip(parts[1::2], parts[2::2], strict=True)
+
+
+def _tables(text: str) -> list[list[Row]]:
+    return [_rows(table) for table in re.findall(r"^\|.+(?:\n\|.*)+", text, re.MULTILINE)]
 
 
 def _rows(table: str) -> list[Row]:
@@ -203,13 +216,13 @@ def losses(records: Records) -> str:
 
 def compose(records: Records) -> str:
     """The page."""
-    machine = records.sentence(r"Recorded on [\d-]+ by `make bench-paper`")
-    computer = records.sentence(r"AMD EPYC, AVX3, 2 cores, Python [\d.]+")
-    bounds = records.sentence(r"The truth lies above a proven upper bound in \d+ of \d+ runs")
+    experiments = "The paper's experiments"
+    machine = records.sentence(experiments, r"Recorded on [\d-]+ by `make bench-paper`")
+    computer = records.sentence(experiments, r"AMD EPYC, AVX3, 2 cores, Python [\d.]+")
     return f"""# Benchmarks on one screen
 
-Written by `bench/summary.py` from the recorded runs of [docs/benchmarks.md](docs/benchmarks.md); a
-test holds the two together. Ratios are of one run: how many times as long as gmcr the others take
+Written by `bench/summary.py` from the recorded tables of [docs/benchmarks.md](docs/benchmarks.md);
+a test holds them together. Ratios are of one run: how many times as long as gmcr the others take
 on the same bytes, all cores each. {machine}
 on {computer}; the rest by `make bench` on the same machine.
 
@@ -231,7 +244,7 @@ on {computer}; the rest by `make bench` on the same machine.
 
 **Raw clouds.** {clouds(records)}
 **The verdict.** {verdicts(records)}
-**The certificate.** {bounds}.
+**The certificate.** {records.bounds()}.
 
 ## Where we lose
 
@@ -240,7 +253,7 @@ on {computer}; the rest by `make bench` on the same machine.
 That is: few wrong matches, where RANSAC's first sample is right; noise bounds far from the noise,
 where FGR, which hardly uses one, stays accurate; 5,000 matches of which 90 % are wrong at random,
 where RANSAC with an edge-length check needs 5 ms however many there are. Which groups:
-[the whole list](docs/benchmarks.md#where-we-lose).
+[the whole list](docs/benchmarks/paper.md#where-we-lose).
 
 A method or a data set of yours: [one file](docs/adding_benchmarks.md).
 """
@@ -252,7 +265,7 @@ def main() -> int:
         "--check", action="store_true", help="fail where the page is not up to date"
     )
     given = parser.parse_args()
-    page = compose(Records(RECORDS.read_text()))
+    page = compose(Records.read())
     if not given.check:
         PAGE.write_text(page)
         return 0

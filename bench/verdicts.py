@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the verdict on matches: how often chance is trusted, and how often what is right.
 
-bench/verdicts.py [--docs docs/benchmarks.md] [--seeds N]
+bench/verdicts.py [--docs docs] [--seeds N]
 
 Prints tables in Markdown, and writes them into the page. Needs the package (tools/make_venv); no
 data. Chance: problems without a right match. Right: problems whose pose was found, with at least 8
@@ -177,7 +177,7 @@ def table(makers: dict[str, Maker], sizes: tuple[int, ...], seeds: int, wanted_r
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--docs", type=Path, help="page whose block is replaced")
+    parser.add_argument("--docs", type=Path, help="folder of the page whose block is replaced")
     parser.add_argument("--seeds", type=int, default=20, help="problems a size")
     given = parser.parse_args()
     sizes = (10, 100, 1000, 5000)

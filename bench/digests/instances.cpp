@@ -11,14 +11,14 @@ namespace {
 
 constexpr Index kObjectPoints = 25;
 constexpr Index kOutliers = 40;
-constexpr double kBound = 0.01;
+constexpr double kInstanceBound = 0.01;
 
 /// Each instance holds a few points less than the one before.
 Problem draw_problem(Index num_instances, std::uint64_t seed) {
   Random random(seed);
   const Points object = random.points(kObjectPoints, -0.5, 0.5);
   Problem problem;
-  problem.noise_bound = kBound;
+  problem.noise_bound = kInstanceBound;
   problem.source.resize(3, num_instances * kObjectPoints + kOutliers);
   problem.target = random.points(problem.source.cols(), -3, 3);
   Index column = 0;
@@ -27,7 +27,8 @@ Problem draw_problem(Index num_instances, std::uint64_t seed) {
     if (instance == 0) problem.truth = motion;
     for (Index i = 3 * instance; i < kObjectPoints; ++i, ++column) {
       problem.source.col(column) = object.col(i);
-      problem.target.col(column) = motion * object.col(i) + 0.5 * kBound * random.point(-1, 1);
+      problem.target.col(column) =
+          motion * object.col(i) + 0.5 * kInstanceBound * random.point(-1, 1);
     }
   }
   for (; column < problem.source.cols(); ++column) {

@@ -1,4 +1,4 @@
-"""Tables and figures of recorded runs, and the paper's section of docs/benchmarks.md."""
+"""Tables and figures of recorded runs: docs/benchmarks/paper.md."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from os.path import relpath
 from pathlib import Path
 
+from reports.page import fold_tables
+
 from paper.data import CHECKOUT
 from paper.figures import FIGURES
 from paper.figures.style import methods_of, save
@@ -19,10 +21,9 @@ from paper.records import read_records
 from paper.runner import SKIPPED
 from paper.scenarios import EXPERIMENTS
 from paper.tables import TABLES
-from reports.page import fold_tables
 
-HEADING = "## The paper's experiments"
-BEGIN, END = "<!-- begin paper -->", "<!-- end paper -->"  # bench/report.py keeps what is between
+HEADING = "# The paper's experiments"
+PAGE = Path("benchmarks/paper.md")  # in the folder of the documents
 DISCUSSION = Path(__file__).with_name("discussion.md")
 
 INTRODUCTION = """\
@@ -35,12 +36,12 @@ three), one method at a time, with all cores. Success rates have Wilson interval
 
 
 def write_report(out: Path, document: Path, figures: Path) -> None:
-    """Write the section of a folder of records as a Markdown file of its own, with its figures."""
-    document.write_text(compose(out, figures, document.parent))
+    """Write the page of a folder of records, and its figures."""
+    document.write_text(fold_tables(compose(out, figures, document.parent)))
 
 
 def compose(out: Path, figures: Path, base: Path) -> str:
-    """The section, and its figures drawn into a folder; links are relative to `base`."""
+    """The page, and its figures drawn into a folder; links are relative to `base`."""
     records = {name: read_records(out / f"{name}.jsonl") for name in EXPERIMENTS}
     records = {name: group for name, group in records.items() if group}
     if not records:
@@ -54,10 +55,10 @@ def compose(out: Path, figures: Path, base: Path) -> str:
         caption, draw = FIGURES[name]
         path = figures / f"experiment_{name}.png"
         save(draw(group), path)
-        text += f"### {experiment.title}\n\n{experiment.protocol}\n\n"
+        text += f"## {experiment.title}\n\n{experiment.protocol}\n\n"
         text += f"![{caption}]({relpath(path, base)})\n\n{caption}. {size_of(group)}\n\n"
         text += TABLES[name](group) + "\n"
-    text += "### Where we lose\n\n" + DISCUSSION.read_text() + "\n"
+    text += "## Where we lose\n\n" + DISCUSSION.read_text() + "\n"
     text += (
         "All groups of runs in which a method (the exact search aside) was right more often than "
         "`gmcr`; or as often, and a "
@@ -105,33 +106,17 @@ def size_of(records: Sequence[dict]) -> str:
     return f"{len(problems)} problems (runs 0 to {last} of each case), {len(records)} solves."
 
 
-def replace_section(document: str, section: str) -> str:
-    """The document with this section between its markers, which are added where there are none."""
-    block = f"{BEGIN}\n{section.strip()}\n{END}"
-    before, begin, rest = document.partition(BEGIN)
-    if not begin:
-        return f"{document.rstrip()}\n\n{block}\n"
-    _, end, after = rest.partition(END)
-    if not end:
-        raise ValueError(f"'{BEGIN}' without '{END}'")
-    return before + block + after
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(
         prog="bench/paper/report",
-        description="Composes the paper's section of docs/benchmarks.md and its figures from the "
-        "records of a run.",
+        description="Composes docs/benchmarks/paper.md and its figures from the records of a run.",
     )
     parser.add_argument("out", type=Path, help="folder of the records, such as out/bench-paper")
     parser.add_argument(
         "--docs", type=Path, default=CHECKOUT / "docs", help="folder of the documents"
     )
     options = parser.parse_args()
-    document = options.docs / "benchmarks.md"
-    section = compose(options.out, options.docs / "images", options.docs)
-    text = document.read_text() if document.exists() else "# Benchmarks\n"
-    document.write_text(fold_tables(replace_section(text, section)))
+    write_report(options.out, options.docs / PAGE, options.docs / "images")
     return 0
 
 

@@ -1,6 +1,6 @@
 """Cells and tables."""
 
-from reports.records import count_of, nested, wilson
+from reports.records import count_of, nested
 
 
 def table(header, rows):
@@ -23,15 +23,6 @@ def percent(part, total):
 def count_cell(records, *path):
     """How many of the records have a true field: "3 of 7", or "-" without records."""
     return f"{count_of(records, *path)} of {len(records)}" if records else "-"
-
-
-def success_cell(records):
-    """Success rate in percent with its Wilson interval."""
-    if not records:
-        return "-"
-    successes = count_of(records, "success")
-    low, high = wilson(successes, len(records))
-    return f"{percent(successes, len(records))} ({100 * low:.0f}-{100 * high:.0f})"
 
 
 def errors_cell(record):

@@ -1,10 +1,10 @@
-"""The page of all benchmarks: a template that holds the prose, filled in with the reports."""
+"""The pages of the benchmarks: templates that hold the prose, filled in with the reports."""
 
 import re
 from collections.abc import Mapping
 from pathlib import Path
 
-TEMPLATE = Path(__file__).with_name("page.md")
+TEMPLATES = Path(__file__).with_name("pages")  # of docs/benchmarks, by the same names
 
 PLACE = re.compile(
     r"^\{\{(?P<name>\w+)(?: (?P<side>until|from) (?P<heading>.+))?\}\}$", re.MULTILINE
@@ -44,7 +44,12 @@ def compose(template: str, reports: Mapping[str, str], page_before: str) -> str:
     return fold_tables(re.sub(r"\n{3,}", "\n\n", page).strip() + "\n")
 
 
-def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
+def missing(template: str, reports: Mapping[str, str]) -> list[str]:
+    """The reports that a template asks for and that are not there."""
+    return sorted({place["name"] for place in PLACE.finditer(template)} - reports.keys())
+
+
+def _text_at(place: re.Match[str], reports: Mapping[str, str]) -> str:
     name, side, heading = place["name"], place["side"], place["heading"]
     if name not in reports:
         raise ValueError(f"{place[0]}: no records of {name}")
@@ -58,11 +63,11 @@ def _text_at(place: re.Match, reports: Mapping[str, str]) -> str:
 
 
 def fold_tables(page: str) -> str:
-    """The page with its long tables folded, so that it can be read; folded ones stay as they are."""
+    """The page with its long tables folded, so that it can be read; folded ones stay so."""
     return _TABLE.sub(_folded, page)
 
 
-def _folded(table: re.Match) -> str:
+def _folded(table: re.Match[str]) -> str:
     head, _, *rows = table[0].strip().split("\n")
     if len(rows) <= LONGEST or table["summary"]:
         return table[0]

@@ -36,9 +36,9 @@ std::vector<Index> checked_clique(const BitsetGraph& graph, std::vector<Index> c
 }
 
 /// Steps from cheap to costly, each of which may settle the question.
-class Solver {
+class CliqueSolver {
  public:
-  Solver(const BitsetGraph& graph, const CliqueOptions& options)
+  CliqueSolver(const BitsetGraph& graph, const CliqueOptions& options)
       : graph_(graph),
         incumbent_(checked_clique(graph, options.initial_clique), options.must_exceed),
         budget_(parallel::Deadline(options.time_limit, options.stop), options.max_nodes,
@@ -129,7 +129,7 @@ namespace gmcr {
 
 CliqueResult max_clique(const BitsetGraph& graph, const CliqueOptions& options) {
   options.validate();
-  return clique::Solver(graph, options).solve();
+  return clique::CliqueSolver(graph, options).solve();
 }
 
 }  // namespace gmcr

@@ -14,10 +14,10 @@ constexpr int kNumGreedyStarts = 16;
 constexpr int kNumGreedyStartsOfProof = 2;  // where most likely no clique is heavy enough
 
 /// Steps from cheap to costly, each of which may settle the question.
-class Solver {
+class WeightSolver {
  public:
-  Solver(const BitsetGraph& graph, const FixedPointWeights& weights,
-         const WeightedCliqueOptions& options)
+  WeightSolver(const BitsetGraph& graph, const FixedPointWeights& weights,
+               const WeightedCliqueOptions& options)
       : graph_(graph),
         weights_(weights),
         incumbent_(weights, options.must_exceed),
@@ -161,7 +161,7 @@ WeightedCliqueResult max_weight_clique(const BitsetGraph& graph, std::span<const
   if (fixed.total() > 0 && clique::are_equal(fixed.units())) {
     return clique::solve_equal_weights(graph, weights, fixed, options);
   }
-  return clique::Solver(graph, fixed, options).solve(weights);
+  return clique::WeightSolver(graph, fixed, options).solve(weights);
 }
 
 }  // namespace gmcr

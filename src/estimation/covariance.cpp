@@ -21,6 +21,11 @@ constexpr double kRankTolerance = 1e-12;
 constexpr double kSharedWithin = 3;
 constexpr Index kMaxShared = 2000;  ///< matches whose pairs are looked at
 
+// of the 6 or 7 parameters: sizes that the compiler knows to be small
+using Parameters = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 7, 1>;
+using ParameterMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7, 7>;
+
 /// The correspondences that a fit uses, each with what it says.
 struct Residuals {
   Eigen::Matrix3Xd lever;     ///< q: from the centroid of the transformed sources
@@ -84,22 +89,23 @@ Inertia measure_inertia(const Residuals& r) {
 
 /// By how much errors that near matches share enlarge the covariance, >= 1.
 /// @param central  covariance of the parameters about the centroid.
-double design_effect(const Residuals& r, const Eigen::MatrixXd& central, const PointsRef& source,
+double design_effect(const Residuals& r, const ParameterMatrix& central, const PointsRef& source,
                      const PointsRef& target, const Eigen::ArrayXd& bounds,
                      const std::vector<Index>& indices, double scale) {
-  const Eigen::MatrixXd whiten = central.llt().matrixL().transpose();
+  const ParameterMatrix whiten = central.llt().matrixL().transpose();
   const Index count = std::min(r.size(), kMaxShared);
   std::vector<Index> chosen;  // spread evenly
   Points ends(3, count);
   Eigen::ArrayXd radii(count);
-  Eigen::MatrixXd gradients(central.rows(), count);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7> gradients(
+      central.rows(), count);
   for (Index c = 0; c < count; ++c) {
     const Index k = c * r.size() / count;
     chosen.push_back(indices[static_cast<std::size_t>(k)]);
     ends.col(c) = target.col(chosen.back());
     radii[c] = kSharedWithin / 2 * bounds[chosen.back()];
     const Eigen::Vector3d pull = r.pull[k] * r.residual.col(k);
-    Eigen::VectorXd gradient(central.rows());
+    Parameters gradient(central.rows());
     gradient.head<3>() = r.lever.col(k).cross(pull);
     gradient.segment<3>(3) = pull;
     if (central.rows() == 7) gradient[6] = r.lever.col(k).dot(pull);
@@ -127,8 +133,8 @@ Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& v) {
 
 /// The caller's parameters (omega, tau, sigma) from those about the centroid, where tau' is the
 /// motion of the centroid:  tau = tau' - omega x lever - sigma lever.
-Eigen::MatrixXd parameters_from_central(const Eigen::Vector3d& lever, Index num_parameters) {
-  Eigen::MatrixXd map = Eigen::MatrixXd::Identity(num_parameters, num_parameters);
+ParameterMatrix parameters_from_central(const Eigen::Vector3d& lever, Index num_parameters) {
+  ParameterMatrix map = ParameterMatrix::Identity(num_parameters, num_parameters);
   map.block<3, 3>(3, 0) = cross_product_matrix(lever);
   if (num_parameters == 7) map.block<3, 1>(3, 6) = -lever;
   return map;
@@ -153,7 +159,7 @@ std::optional<Covariance> estimate_covariance(const Similarity& target_from_sour
   // About the centroid a point q moves by  omega x q + tau' + sigma q.  Since sum w q = 0 and
   // (omega x q) . q = 0, the information matrix is block diagonal.
   const double variance = residuals.noise / residuals.information;
-  Eigen::MatrixXd central = Eigen::MatrixXd::Zero(num_parameters, num_parameters);
+  ParameterMatrix central = ParameterMatrix::Zero(num_parameters, num_parameters);
   central.topLeftCorner<3, 3>() = variance * axes.eigenvectors() *
                                   principal.cwiseInverse().asDiagonal() *
                                   axes.eigenvectors().transpose();
@@ -164,8 +170,8 @@ std::optional<Covariance> estimate_covariance(const Similarity& target_from_sour
   central *= effect;
 
   Covariance covariance;
-  const Eigen::MatrixXd map = parameters_from_central(residuals.centroid_lever, num_parameters);
-  const Eigen::MatrixXd matrix = map * central * map.transpose();
+  const ParameterMatrix map = parameters_from_central(residuals.centroid_lever, num_parameters);
+  const ParameterMatrix matrix = map * central * map.transpose();
   covariance.matrix = (matrix + matrix.transpose()) / 2;
   // as motions: times the squared RMS radius, which makes that of the scale equal to those of tau'
   covariance.eigenvalues =

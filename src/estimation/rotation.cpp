@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "estimation/singular_pairs.hpp"
+#include "geometry/angles.hpp"
 
 namespace gmcr::estimation {
 
@@ -22,7 +23,7 @@ Eigen::Matrix3d least_rotation(const Eigen::Matrix3d& covariance) {
   const SingularPairs pairs = leading_singular_pairs(covariance);
   if (!(pairs.values[0] > 0)) return Eigen::Matrix3d::Identity();
   const Eigen::Vector3d from = pairs.right.col(0), to = pairs.left.col(0);
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  return geometry::turn_between(from, to).toRotationMatrix();
 }
 
 std::optional<Eigen::Matrix3d> estimate_rotation(const PointsRef& a, const PointsRef& b) {

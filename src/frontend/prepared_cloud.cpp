@@ -83,7 +83,7 @@ const Eigen::Vector3d& PreparedCloud::viewpoint() const { return state_->viewpoi
 std::string PreparedCloud::to_bytes() const {
   return frontend::write_prepared({state_->points, voxel_size(), state_->normal_radius,
                                    state_->feature_radius, state_->viewpoint,
-                                   state_->scales.known()});
+                                   state_->scales.known(), state_->points.cols()});
 }
 
 bool PreparedCloud::is_prepared(std::string_view bytes) { return frontend::is_prepared(bytes); }

@@ -1,6 +1,5 @@
 #include "geometry/angles.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 namespace gmcr::geometry {
@@ -17,6 +16,10 @@ double rotation_angle(const Eigen::Matrix3d& rotation) {
 
 Eigen::Matrix3d exact_rotation(const Eigen::Matrix3d& rotation) {
   return Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+}
+
+Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to);
 }
 
 double tilt(const GravityPrior& gravity, const Eigen::Matrix3d& rotation) {

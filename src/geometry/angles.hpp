@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "gmcr/priors.hpp"
 
@@ -17,6 +17,9 @@ double rotation_angle(const Eigen::Matrix3d& rotation);
 
 /// The exact rotation next to one that is orthonormal to rounding.
 Eigen::Matrix3d exact_rotation(const Eigen::Matrix3d& rotation);
+
+/// The least turn that takes a direction to another, of any length > 0.
+Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// Angle by which a rotation tilts the direction of gravity, radians.
 double tilt(const GravityPrior& gravity, const Eigen::Matrix3d& rotation);

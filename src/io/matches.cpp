@@ -90,7 +90,7 @@ void refuse_index_column(const io::TableShape& shape) {
 }
 
 /// The columns of the end points, then that of the bound where there is one.
-io::ColumnChoice choose_columns(const io::TableShape& shape) {
+io::ColumnChoice match_columns(const io::TableShape& shape) {
   std::optional<std::size_t> bound = find_bound(shape.names);
   if (shape.names.empty() && shape.num_columns == kNumColumnsWithBound) {
     refuse_index_column(shape);
@@ -132,7 +132,7 @@ Rows read_rows(const std::filesystem::path& path) {
   bool is_unnamed = false;
   const auto choose = [&is_unnamed](const io::TableShape& shape) {
     is_unnamed = shape.names.empty() && shape.num_columns == kNumColumnsWithBound;
-    return choose_columns(shape);
+    return match_columns(shape);
   };
   Rows rows{io::parse_table(path, bytes, choose), false};
   rows.has_unnamed_bounds = is_unnamed;

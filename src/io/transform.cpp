@@ -8,7 +8,7 @@
 namespace gmcr {
 namespace {
 
-io::ColumnChoice choose_columns(const io::TableShape& shape) {
+io::ColumnChoice pose_columns(const io::TableShape& shape) {
   if (!shape.names.empty()) throw std::invalid_argument("no row of numbers");
   if (shape.num_columns != 4) {
     throw std::invalid_argument(std::to_string(shape.num_columns) +
@@ -21,7 +21,7 @@ io::ColumnChoice choose_columns(const io::TableShape& shape) {
 
 Similarity read_transform(const std::filesystem::path& path) {
   const io::Table rows =
-      io::parse_table(path, io::read_file(path), choose_columns, {.checks_end = false});
+      io::parse_table(path, io::read_file(path), pose_columns, {.checks_end = false});
   if (rows.values.cols() != 4) {
     throw IoError(path, 0, std::to_string(rows.values.cols()) + " rows, expected a 4 x 4 matrix");
   }

@@ -13,8 +13,8 @@ constexpr std::size_t kFew = 10;  // values that tell a share
 
 // Pairs that are looked at: enough for a share of 1 in 50, and more where that costs little.
 constexpr Index kLeastSample = 500;
-constexpr Index kMostSample = 20'000;
-constexpr Index kSampleShare = 2;  // of each correspondence
+constexpr Index kMostSample = 10'000;
+constexpr Index kSampleShare = 1;  // of each correspondence
 constexpr std::size_t kPerLength = 4;
 
 /// Two different numbers below a count.

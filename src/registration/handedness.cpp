@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <numeric>
+#include <vector>
 
 #include "estimation/similarity_fit.hpp"
 
@@ -24,7 +24,7 @@ constexpr double kSameScale = 1.1;
 
 /// An even selection, enough to tell a plane.
 std::vector<Index> some_of(const std::vector<Index>& inliers) {
-  constexpr std::size_t kEnough = 1000;
+  constexpr std::size_t kEnough = 200;
   if (inliers.size() <= kEnough) return inliers;
   std::vector<Index> some;
   for (std::size_t k = 0; k < kEnough; ++k) {
@@ -38,28 +38,41 @@ struct Plane {
   double thickness = 0, width = 0;  ///< RMS distance from the plane, and along its short side
 };
 
-Plane fit_plane(const Points& points) {
-  const Eigen::Vector3d centroid = points.rowwise().mean();
-  const Points centred = points.colwise() - centroid;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
-      Eigen::Matrix3d(centred * centred.transpose()) / static_cast<double>(points.cols()));
+/// Plane of the points whose distances are at most the reach.
+Plane fit_plane(const Points& points, const Eigen::ArrayXd& distances, double reach) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (distances[i] > reach) continue;
+    sum += points.col(i);
+    count += 1;
+  }
+  const Eigen::Vector3d centroid = sum / count;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (distances[i] > reach) continue;
+    const Eigen::Vector3d centred = points.col(i) - centroid;
+    moments += centred * centred.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments / count);
   const Eigen::Vector3d deviations = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
   return {centroid, axes.eigenvectors().col(0), deviations[0], deviations[1]};
 }
 
-/// Plane of most of the points: the farthest ones are left out.
-Plane fit_plane_to_most(Points points) {
-  Plane plane = fit_plane(points);
+/// Plane of most of the points, at least 3: the farthest ones are left out.
+Plane fit_plane_to_most(const Points& points) {
+  const Index count = points.cols();
+  const auto most = std::max<Index>(3, static_cast<Index>(kMost * static_cast<double>(count)));
+  Eigen::ArrayXd distances = Eigen::ArrayXd::Zero(count);
+  Plane plane = fit_plane(points, distances, 0);
+  std::vector<double> sorted(static_cast<std::size_t>(count));
   for (int fit = 0; fit < kPlaneFits; ++fit) {
-    const Eigen::ArrayXd distances =
+    distances =
         (plane.normal.transpose() * (points.colwise() - plane.point)).cwiseAbs().transpose();
-    std::vector<Index> nearest(static_cast<std::size_t>(points.cols()));
-    std::iota(nearest.begin(), nearest.end(), Index{0});
-    std::stable_sort(nearest.begin(), nearest.end(),
-                     [&](Index i, Index j) { return distances[i] < distances[j]; });
-    nearest.resize(std::max<std::size_t>(
-        3, static_cast<std::size_t>(kMost * static_cast<double>(nearest.size()))));
-    plane = fit_plane(points(Eigen::all, nearest));
+    std::copy(distances.begin(), distances.end(), sorted.begin());
+    const auto farthest = sorted.begin() + (most - 1);
+    std::nth_element(sorted.begin(), farthest, sorted.end());
+    plane = fit_plane(points, distances, *farthest);
   }
   return plane;
 }

@@ -35,9 +35,12 @@ struct Selection {
   Selection(const problem::CallerCorrespondences& all, const std::vector<Index>& all_inliers,
             Index most) {
     const std::vector<Index> selected = problem::stratified_selection(all.size(), most);
+    inliers.reserve(selected.size());
+    others.reserve(selected.size());
+    auto inlier = all_inliers.begin();  // both ascend
     for (std::size_t k = 0; k < selected.size(); ++k) {
-      const bool is_inlier =
-          std::binary_search(all_inliers.begin(), all_inliers.end(), selected[k]);
+      while (inlier != all_inliers.end() && *inlier < selected[k]) ++inlier;
+      const bool is_inlier = inlier != all_inliers.end() && *inlier == selected[k];
       (is_inlier ? inliers : others).push_back(static_cast<Index>(k));
     }
     if (static_cast<Index>(selected.size()) == all.size()) return;

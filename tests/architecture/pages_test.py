@@ -17,14 +17,15 @@ BUILD_FILES = {"CMakeLists.txt", "CMakePresets.json", "Makefile", "pyproject.tom
 GENERATED = {"build", "out", "__pycache__"}
 METHOD, ARCHITECTURE, DECISIONS = "docs/method.md", "docs/architecture.md", "docs/decisions"
 PAGES_OF_NAMES = (METHOD, ARCHITECTURE, "CONTRIBUTING.md")
-RECORDS = "docs/benchmarks.md"
+RECORDS = "docs/benchmarks"
 VERSIONS = {
     "CITATION.cff": r"^version: (\S+)$",
     "packaging/conan/conanfile.py": r'^ *version = "([^"]+)"$',
     "packaging/vcpkg/*/vcpkg.json": r'^ *"version": "([^"]+)",?$',
     "packaging/ros/*/package.xml": r"<version>([^<]+)</version>",
 }
-PARTS_OF = {"bench/reports/page.md": RECORDS, "bench/paper/discussion.md": RECORDS}
+TEMPLATES = "bench/reports/pages"
+PARTS_OF = {"bench/paper/discussion.md": f"{RECORDS}/paper.md"}
 
 
 def is_kept(root: Path, path: Path) -> bool:
@@ -169,7 +170,7 @@ def faults_of_links(root: Path) -> Iterator[str]:
             if re.match(r"[a-z]+:", link):
                 continue
             file, _, anchor = link.partition("#")
-            page_of_link = root / PARTS_OF.get(name, name)
+            page_of_link = root / PARTS_OF.get(name, name.replace(TEMPLATES, RECORDS))
             target = page_of_link.parent / file if file else page_of_link
             if not target.exists():
                 yield f"{name} links to {link}, which is not there"

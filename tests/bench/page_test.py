@@ -1,16 +1,20 @@
-"""The page of the benchmarks: what fills its template, and what stays."""
+"""The pages of the benchmarks: what fills them, what stays, and what the summary says of them."""
 
 import re
 import sys
+import tempfile
 import unittest
+from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import summary  # noqa: E402
-from reports.page import LONGEST, PLACE, TEMPLATE, compose, fold_tables  # noqa: E402
+from page_block import replace_block  # noqa: E402
+from reports.page import LONGEST, PLACE, TEMPLATES, compose, fold_tables, missing  # noqa: E402
 
+NUMBER = r"\d[\d,]*(?:\.\d+)?(?<!,)"
 REPORT = "# Speed\n\nFirst.\n\n## Small\n\n| # |\n\n## Large\n\nLast.\n"
 
 
@@ -56,21 +60,52 @@ class Page(unittest.TestCase):
             with self.assertRaises(ValueError):
                 compose(template, {"speed": REPORT}, before)
 
-    def test_the_page_of_the_project_is_its_template_filled_in(self) -> None:
-        page = (ROOT / "docs" / "benchmarks.md").read_text()
-        prose = re.sub(
-            r"<!-- begin .*<!-- end \S+ -->",
-            "",
-            PLACE.sub("", TEMPLATE.read_text()),
-            flags=re.DOTALL,
-        )
-        for paragraph in filter(None, map(str.strip, prose.split("\n\n"))):
-            self.assertIn(paragraph, page)
+    def test_what_a_template_asks_for_is_known(self) -> None:
+        self.assertEqual(missing("{{a}}\n\n{{b until C}}\n\n{{d}}", {"a": ""}), ["b", "d"])
+
+    def test_the_pages_of_the_project_are_their_templates_filled_in(self) -> None:
+        templates = sorted(TEMPLATES.glob("*.md"))
+        self.assertGreater(len(templates), 8)
+        for template in templates:
+            page = (ROOT / "docs/benchmarks" / template.name).read_text()
+            prose = re.sub(
+                r"<!-- begin .*<!-- end \S+ -->",
+                "",
+                PLACE.sub("", template.read_text()),
+                flags=re.DOTALL,
+            )
+            for paragraph in filter(None, map(str.strip, prose.split("\n\n"))):
+                self.assertIn(paragraph, page)
+
+    def test_a_block_is_written_where_it_stands(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            pages = Path(folder) / "benchmarks"
+            pages.mkdir()
+            (pages / "a.md").write_text("A\n\n<!-- begin more -->\nold\n<!-- end more -->\n\nB\n")
+            (pages / "b.md").write_text("<!-- begin other -->\n<!-- end other -->\n")
+            replace_block(Path(folder), "more", "new \\1\n")
+            text = "A\n\n<!-- begin more -->\nnew \\1\n<!-- end more -->\n\nB\n"
+            self.assertEqual((pages / "a.md").read_text(), text)
+            with self.assertRaisesRegex(SystemExit, "0 blocks of none"):
+                replace_block(Path(folder), "none", "new")
+            (pages / "b.md").write_text(text)
+            with self.assertRaisesRegex(SystemExit, "2 blocks of more"):
+                replace_block(Path(folder), "more", "new")
+            replace_block(pages / "b.md", "more", "newer")
+            self.assertIn("newer", (pages / "b.md").read_text())
+
+    def test_every_block_that_a_program_writes_has_a_place(self) -> None:
+        pages = "".join(page.read_text() for page in (ROOT / "docs/benchmarks").glob("*.md"))
+        programs = [path.read_text() for path in (ROOT / "bench").glob("*.py")]
+        names = re.findall(r'replace_block\(\w+\.docs, "(\w+)"', "".join(programs))
+        self.assertGreaterEqual(len(names), 6)
+        for name in names:
+            self.assertEqual(pages.count(f"<!-- begin {name} -->"), 1, name)
 
 
 class Summary(unittest.TestCase):
     def test_the_page_of_one_screen_says_what_the_records_say(self) -> None:
-        records = summary.Records(summary.RECORDS.read_text())
+        records = summary.Records.read()
         self.assertEqual(summary.PAGE.read_text(), summary.compose(records), "run bench/summary.py")
 
     def test_figures_are_looked_up_by_heading_row_and_column(self) -> None:
@@ -82,6 +117,31 @@ class Summary(unittest.TestCase):
         for key in ({"N": "2"}, {"M": "1"}):
             with self.assertRaises(KeyError):
                 summary.Records(page).row("Speed", "b", **key)
+
+    def test_runs_of_all_pages_are_counted_together(self) -> None:
+        said = "The truth lies above a proven upper bound in {} of {} runs.\n"
+        records = summary.Records(said.format(1, 20) + "\n## A\n\n" + said.format(2, 30))
+        self.assertIn("in 3 of 50 runs", records.bounds())
+
+    def test_figures_of_the_overview_stand_in_the_tables_that_it_links(self) -> None:
+        overview = (ROOT / "docs/benchmarks.md").read_text()
+        self.assertEqual(list(unfounded(overview, ROOT / "docs")), [])
+        wrong = overview.replace("0 of 9360 runs", "0 of 9361 runs")
+        self.assertEqual(list(unfounded(wrong, ROOT / "docs")), ["Proofs: 9361"])
+
+
+def unfounded(overview: str, docs: Path) -> Iterator[str]:
+    """Figures of a section that none of the pages has that it links."""
+    for section in re.split(r"^## ", overview, flags=re.MULTILINE)[1:]:
+        if section.startswith("The recorded run"):
+            continue
+        links = re.findall(r"\]\((benchmarks/\w+\.md)", section)
+        known = set(re.findall(NUMBER, "".join((docs / link).read_text() for link in links)))
+        code = r"```.*?```|`[^`]*`|\[decision[^]]*\]|\]\([^)]*\)"
+        said = re.sub(code, "", section, flags=re.DOTALL)
+        for figure in re.findall(NUMBER, said):
+            if figure not in known:
+                yield f"{section.splitlines()[0]}: {figure}"
 
 
 if __name__ == "__main__":

@@ -6,15 +6,11 @@
 #include <vector>
 
 #include "c/objects.hpp"
+#include "c/pointers.hpp"
 #include "options/table.hpp"
 
 namespace gmcr::c {
 namespace {
-
-struct Free {
-  void operator()(gmcr_options* options) const { gmcr_options_free(options); }
-};
-using OptionsPointer = std::unique_ptr<gmcr_options, Free>;
 
 OptionsPointer new_options() { return OptionsPointer(gmcr_options_new()); }
 

@@ -7,20 +7,13 @@
 #include <vector>
 
 #include "c/objects.hpp"
+#include "c/pointers.hpp"
 #include "frontend/shapes.hpp"
 #include "gmcr/registration.hpp"
 #include "problems.hpp"
 
 namespace gmcr::c {
 namespace {
-
-struct Free {
-  void operator()(gmcr_options* options) const { gmcr_options_free(options); }
-  void operator()(gmcr_result* result) const { gmcr_result_free(result); }
-  void operator()(char* string) const { gmcr_string_free(string); }
-};
-using OptionsPointer = std::unique_ptr<gmcr_options, Free>;
-using ResultPointer = std::unique_ptr<gmcr_result, Free>;
 
 gmcr_points points_of(const Points& points) {
   return {points.data(), static_cast<std::size_t>(points.cols()), 0, GMCR_FLOAT64};

@@ -55,6 +55,8 @@ TEST_F(Localise, FindsTheScanInACloudAndInAPreparedMap) {
       run_json("prepare " + path("map.ply") + " --map --voxel 0.5 -o " + path("town.ply"));
   EXPECT_LT(prepared.at("num_points").get<Index>(), read_cloud(folder_ / "map.ply").points.cols());
   const json again = run_json(scan + path("town.ply"));
+  EXPECT_EQ(again.at("num_target_points"), result.at("num_target_points"));
+  EXPECT_EQ(result.at("num_target_points"), read_cloud(folder_ / "map.ply").points.cols());
   EXPECT_EQ(again.at("target_from_source"), result.at("target_from_source"));
   expect_failure(scan + path("town.ply") + " --voxel 0.4", 2, "voxel");
   expect_failure(scan + path("town.ply") + " --up 0 0 0", 2, "up");

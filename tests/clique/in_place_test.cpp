@@ -32,16 +32,16 @@ Index first_copied(const BitsetGraph& graph) {
   return enough;
 }
 
-struct Case {
+struct PlantedCase {
   Index num_vertices;
   double density;
   Index planted;  ///< vertices of the one maximum clique; 0: as it comes
 };
 
-const std::vector<Case> kCases{{300, 0.1, 0},  {200, 0.3, 10}, {150, 0.5, 0},
-                               {120, 0.7, 18}, {100, 0.8, 0},  {90, 0.9, 0}};
+const std::vector<PlantedCase> kCases{{300, 0.1, 0},  {200, 0.3, 10}, {150, 0.5, 0},
+                                      {120, 0.7, 18}, {100, 0.8, 0},  {90, 0.9, 0}};
 
-BitsetGraph graph_of(const Case& wanted, std::uint64_t seed) {
+BitsetGraph graph_of(const PlantedCase& wanted, std::uint64_t seed) {
   BitsetGraph graph = test::random_graph(wanted.num_vertices, wanted.density, seed);
   if (wanted.planted > 0) test::plant_clique(graph, wanted.planted, seed + 1);
   return graph;
@@ -56,7 +56,7 @@ void expect_the_same_answer(const CliqueResult& in_place, const CliqueResult& co
 
 TEST(CliqueInPlace, AByteTooLittleForTheCopyTakesNothingFromTheAnswer) {
   int num_in_place = 0;
-  for (const Case& wanted : kCases) {
+  for (const PlantedCase& wanted : kCases) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const BitsetGraph graph = graph_of(wanted, seed);
       const CliqueResult copied = max_clique(graph);
@@ -100,7 +100,7 @@ TEST(CliqueInPlace, NeitherDoesAnyAmountOfMemoryWhereFewVerticesSurvive) {
 
 TEST(CliqueInPlace, DeadlinesAndNodeBudgetsLeaveValidBounds) {
   bool ended_early = false;
-  for (const Case& wanted : kCases) {
+  for (const PlantedCase& wanted : kCases) {
     const BitsetGraph graph = graph_of(wanted, 17);
     const Index clique_number = test::cliquer_clique_number(graph);
     for (const int num_threads : {1, 3}) {
@@ -132,7 +132,7 @@ TEST(CliqueInPlace, DeadlinesAndNodeBudgetsLeaveValidBounds) {
 }
 
 TEST(CliqueInPlace, AnyNumberOfThreadsGivesTheSame) {
-  for (const Case& wanted : kCases) {
+  for (const PlantedCase& wanted : kCases) {
     const BitsetGraph graph = graph_of(wanted, 29);
     CliqueOptions options;
     options.max_memory = 0;

@@ -14,7 +14,7 @@
 namespace gmcr::estimation {
 namespace {
 
-constexpr ScaleRange kAnyScale{1e-6, 1e6};
+constexpr ScaleRange kFreeScale{1e-6, 1e6};
 
 /// Exact correspondences of an anisotropic cloud under a known transform.
 struct Case {
@@ -48,7 +48,7 @@ Points noisy_target(const Case& c, testing::RandomGeometry& random, double share
 }
 
 std::optional<Covariance> covariance_of(const Case& c, bool scale_is_free) {
-  const ScaleRange scales = scale_is_free ? kAnyScale : ScaleRange{c.truth.scale, c.truth.scale};
+  const ScaleRange scales = scale_is_free ? kFreeScale : ScaleRange{c.truth.scale, c.truth.scale};
   const auto fit = fit_similarity(c.source, c.target, c.bounds, c.indices, scales);
   return estimate_covariance(*fit, c.source, c.target, c.bounds, c.indices, scale_is_free);
 }
@@ -68,7 +68,7 @@ void expect_agrees_with_experiment(const Case& c, bool scale_is_free) {
   constexpr int kTrials = 2000;
   testing::RandomGeometry random(99);
   const Index dimension = scale_is_free ? 7 : 6;
-  const ScaleRange scales = scale_is_free ? kAnyScale : ScaleRange{c.truth.scale, c.truth.scale};
+  const ScaleRange scales = scale_is_free ? kFreeScale : ScaleRange{c.truth.scale, c.truth.scale};
   Eigen::MatrixXd empirical = Eigen::MatrixXd::Zero(dimension, dimension), estimate = empirical;
   for (int trial = 0; trial < kTrials; ++trial) {
     const Points target = noisy_target(c, random);

@@ -24,15 +24,15 @@ double cost(const Similarity& pose, const Points& source, const Points& target,
   return (norms / bounds).square().sum();
 }
 
-struct Case {
+struct MomentsCase {
   Points source, target;
   Eigen::ArrayXd bounds;
   ScaleRange scales;
 };
 
-Case random_case(testing::RandomGeometry& random) {
+MomentsCase random_case(testing::RandomGeometry& random) {
   const Index count = 2 + random.index(8);
-  Case c;
+  MomentsCase c;
   c.source = random.in_cube(count);
   if (random.index(4) == 0) c.source.row(2).setZero();                                  // coplanar
   if (random.index(6) == 0) c.source = c.source.col(0) * random.in_cube(count).row(0);  // collinear
@@ -48,7 +48,7 @@ Case random_case(testing::RandomGeometry& random) {
 TEST(LeastSquaresBound, IsTheCostOfTheClosedForm) {
   testing::RandomGeometry random(1);
   for (int trial = 0; trial < 3000; ++trial) {
-    const Case c = random_case(random);
+    const MomentsCase c = random_case(random);
     if (c.source.cols() < 3) continue;
     std::vector<Index> all(static_cast<std::size_t>(c.source.cols()));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Index>(i);
@@ -63,7 +63,7 @@ TEST(LeastSquaresBound, IsTheCostOfTheClosedForm) {
 TEST(LeastSquaresBound, IsBelowTheCostOfAnyTransform) {
   testing::RandomGeometry random(2);
   for (int trial = 0; trial < 300; ++trial) {
-    const Case c = random_case(random);
+    const MomentsCase c = random_case(random);
     const double bound = least_squares_bound(moments_of(c.source, c.target, c.bounds), c.scales);
     for (int k = 0; k < 50; ++k) {
       const Similarity pose = random.similarity(c.scales.min, c.scales.max, 1);

@@ -255,8 +255,11 @@ TEST_F(LocaliseScan, GivesTheSamePoseWithAMapFromAFile) {
   const PreparedMap again = PreparedMap::from_bytes(bytes);
   EXPECT_EQ(again.voxel_size(), map_->voxel_size());
   EXPECT_EQ(again.points(), map_->points());
-  EXPECT_EQ(localise_scan(taken.scan, again).registration.target_from_source.matrix(),
+  const CloudResult of_file = localise_scan(taken.scan, again);
+  EXPECT_EQ(of_file.registration.target_from_source.matrix(),
             localise_scan(taken.scan, *map_).registration.target_from_source.matrix());
+  EXPECT_EQ(of_file.num_target_points, points_->cols());
+  EXPECT_GT(of_file.num_target_points, again.points().cols());
   std::string changed = bytes;
   changed.back() = static_cast<char>(changed.back() ^ 1);
   EXPECT_THROW(PreparedMap::from_bytes(changed), std::invalid_argument);

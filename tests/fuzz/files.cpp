@@ -81,13 +81,13 @@ void check_graph(const std::filesystem::path& path) {
   });
 }
 
+}  // namespace
+
 void check_pose(const Similarity& pose) {
   require(pose.matrix().allFinite() && pose.scale > 0, "a finite pose");
   require(std::abs(pose.rotation.determinant() - 1) < 1e-9, "a rotation");
   require(rotation_error_deg(pose.rotation, Eigen::Matrix3d::Identity()) <= 180, "an angle");
 }
-
-}  // namespace
 
 void read_cloud_of(const char* extension, std::string_view bytes) {
   const auto path = file_of(std::string("a") + extension, bytes);

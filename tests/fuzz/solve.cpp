@@ -124,11 +124,6 @@ void check_residuals(const Similarity& pose, const std::vector<Index>& inliers,
   }
 }
 
-void check_pose(const Similarity& pose) {
-  require(pose.matrix().allFinite() && pose.scale > 0, "a finite pose");
-  require(std::abs(pose.rotation.determinant() - 1) < 1e-9, "a rotation");
-}
-
 /// The pose of three matches, nullopt where they do not say.
 std::optional<Similarity> pose_of(const Matches& matches, const Index (&three)[3], double scale) {
   Points a(3, 3), b(3, 3);

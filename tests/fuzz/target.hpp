@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gmcr/similarity.hpp"
+
 namespace gmcr::fuzz {
 
 /// Something that takes bytes from anywhere. Its function returns, whatever the bytes are; an
@@ -25,6 +27,9 @@ const std::vector<Target>& targets();
 inline void require(bool holds, const std::string& what) {
   if (!holds) throw std::logic_error("must hold: " + what);
 }
+
+/// A finding where it is no similarity.
+void check_pose(const Similarity& pose);
 
 void read_matches_csv(std::string_view bytes);
 void read_matches_npy(std::string_view bytes);

@@ -9,7 +9,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-const Points kThree{{1, 4, 7}, {2, 5.25, 8}, {3, -6, 9e-7}};
+const Points kThreePoints{{1, 4, 7}, {2, 5.25, 8}, {3, -6, 9e-7}};
 
 void expect_error(const std::filesystem::path& path, std::size_t line, const std::string& words) {
   test::expect_io_error([&] { read_cloud(path); }, path, line, words);
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Extensions, CompleteCloud, testing::Values("ply", "pcd"
 TEST_P(CompleteCloud, CutAnywhereIsAnError) {
   const TemporaryFolder folder;
   const std::string name = std::string("a.") + GetParam();
-  write_cloud(folder / name, kThree);
+  write_cloud(folder / name, kThreePoints);
   const std::string whole = test::content_of(folder / name);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     folder.write(name, whole.substr(0, size));
@@ -179,16 +179,17 @@ TEST(Cloud, WithAnUnknownExtensionIsAnError) {
   expect_error(folder.write("a.foo", "1 2 3\n"), 0, "unknown extension '.foo' (known: .ply");
   expect_error(folder.write("cloud", "1 2 3\n"), 0, "no extension");
   const auto path = folder / "a.pts";
-  test::expect_io_error([&] { write_cloud(path, kThree); }, path, 0, "unknown extension '.pts'");
+  test::expect_io_error([&] { write_cloud(path, kThreePoints); }, path, 0,
+                        "unknown extension '.pts'");
 }
 
 TEST(Cloud, ThatCannotBeWrittenIsAnError) {
   const TemporaryFolder folder;
   const auto path = folder / "nowhere/a.ply";
-  test::expect_io_error([&] { write_cloud(path, kThree); }, path, 0, "No such file");
+  test::expect_io_error([&] { write_cloud(path, kThreePoints); }, path, 0, "No such file");
   std::filesystem::create_symlink("/dev/full", folder / "full.csv");
-  test::expect_io_error([&] { write_cloud(folder / "full.csv", kThree); }, folder / "full.csv", 0,
-                        "No space");
+  test::expect_io_error([&] { write_cloud(folder / "full.csv", kThreePoints); },
+                        folder / "full.csv", 0, "No space");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-void expect_error(const std::filesystem::path& path, std::size_t line, const std::string& words) {
+void expect_refused(const std::filesystem::path& path, std::size_t line, const std::string& words) {
   test::expect_io_error([&] { read_matches(path); }, path, line, words);
 }
 
@@ -89,13 +89,13 @@ TEST(ReadMatches, TakesASeventhColumnWithoutANameForBoundsOnlyWhereItIsNoScore) 
     scores += row + "0." + std::to_string(70 - i) + "\n";
     weights += row + std::to_string(90 - i) + "\n";
   }
-  expect_error(folder.write("b.csv", scores), 0,
-               "has no name and goes from 0.61 to 0.7: noise bounds in metres, or scores?");
-  expect_error(folder.write("c.csv", weights), 0, "or scores?");
+  expect_refused(folder.write("b.csv", scores), 0,
+                 "has no name and goes from 0.61 to 0.7: noise bounds in metres, or scores?");
+  expect_refused(folder.write("c.csv", weights), 0, "or scores?");
   const Points points = Points::Random(3, 10);
   const std::vector<double> confidences{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
   write_matches(folder / "d.npy", points, points, confidences);
-  expect_error(folder / "d.npy", 0, "or scores?");
+  expect_refused(folder / "d.npy", 0, "or scores?");
 }
 
 TEST(ReadMatches, LeavesScoresOutAndSaysSo) {
@@ -116,7 +116,7 @@ TEST(ReadMatches, RefusesAFirstColumnThatCountsTheRows) {
   const TemporaryFolder folder;
   std::string text;
   for (int i = 1; i < 9; ++i) text += std::to_string(i) + ",0.5,1.5,2.5,3.5,4.5,5.5\n";
-  expect_error(folder.write("a.csv", text), 1, "counts the rows");
+  expect_refused(folder.write("a.csv", text), 1, "counts the rows");
 }
 
 TEST(ReadMatches, RefusesABoundThatIsNotPositiveAndFinite) {
@@ -124,10 +124,11 @@ TEST(ReadMatches, RefusesABoundThatIsNotPositiveAndFinite) {
   for (const char* bound : {"0", "-1", "nan", "inf"}) {
     const std::string text = "ax,ay,az,bx,by,bz,beta\n1,2,3,4,5,6,1\n1,2,3,4,5,6," +
                              std::string(bound) + "\n1,2,3,4,5,6,1\n";
-    expect_error(folder.write("a.csv", text), 3,
-                 "row 1 (from 0): noise bound " + std::string(bound) + " is not a positive finite");
+    expect_refused(
+        folder.write("a.csv", text), 3,
+        "row 1 (from 0): noise bound " + std::string(bound) + " is not a positive finite");
   }
-  expect_error(folder.write("b.csv", "1,2,3,4,5,6,wide\n"), 1, "column 7: 'wide' is no number");
+  expect_refused(folder.write("b.csv", "1,2,3,4,5,6,wide\n"), 1, "column 7: 'wide' is no number");
 }
 
 TEST(ReadMatches, TakesAHeaderWithoutRowsForNoMatches) {
@@ -137,30 +138,30 @@ TEST(ReadMatches, TakesAHeaderWithoutRowsForNoMatches) {
 
 TEST(ReadMatches, NamesTheLineOfAnError) {
   const TemporaryFolder folder;
-  expect_error(folder.write("a.csv", "1,2,3,4,5,6,7,8\n"), 1, "8 columns, expected 6");
-  expect_error(folder.write("a.csv", "u,v,w,p,q,r,x\n"), 1, "7 columns, expected 6");
-  expect_error(folder.write("b.csv", "i,j,u,v,w,p,q,r\n"), 1, "8 columns, expected 6");
-  expect_error(folder.write("c.csv", "1,2,3,4,5,6\n1,2,3,4,5\n"), 2, "5 columns");
-  expect_error(folder.write("d.csv", "1,2,3,4,5,6\n1,2,3,4,5,six\n"), 2, "'six'");
-  expect_error(folder.write("e.csv", "1,2,x,4,5,6\n1,2,3,4,5,6\n"), 1, "'x'");
-  expect_error(folder.write("f.csv", "ax,ay,az,bx,by,bz\n\n1,2,3,4,5,6\n1,2,3,4,nan,6\n"), 4,
-               "row 1 (from 0): a value is not finite");
-  expect_error(folder.write("g.csv", "1,2,3,4,5,1e999\n"), 1, "'1e999'");
+  expect_refused(folder.write("a.csv", "1,2,3,4,5,6,7,8\n"), 1, "8 columns, expected 6");
+  expect_refused(folder.write("a.csv", "u,v,w,p,q,r,x\n"), 1, "7 columns, expected 6");
+  expect_refused(folder.write("b.csv", "i,j,u,v,w,p,q,r\n"), 1, "8 columns, expected 6");
+  expect_refused(folder.write("c.csv", "1,2,3,4,5,6\n1,2,3,4,5\n"), 2, "5 columns");
+  expect_refused(folder.write("d.csv", "1,2,3,4,5,6\n1,2,3,4,5,six\n"), 2, "'six'");
+  expect_refused(folder.write("e.csv", "1,2,x,4,5,6\n1,2,3,4,5,6\n"), 1, "'x'");
+  expect_refused(folder.write("f.csv", "ax,ay,az,bx,by,bz\n\n1,2,3,4,5,6\n1,2,3,4,nan,6\n"), 4,
+                 "row 1 (from 0): a value is not finite");
+  expect_refused(folder.write("g.csv", "1,2,3,4,5,1e999\n"), 1, "'1e999'");
 }
 
 TEST(ReadMatches, RefusesOtherFiles) {
   const TemporaryFolder folder;
-  expect_error(folder / "a.csv", 0, "No such file");
-  expect_error(folder.write("a.csv", ""), 0, "empty");
-  expect_error(folder.write("a.ply", "ply\n"), 0,
-               "unknown extension '.ply' (known: .csv, .txt, .npy)");
-  expect_error(folder.write("a.npy", "1,2,3,4,5,6\n"), 0, "no .npy file");
+  expect_refused(folder / "a.csv", 0, "No such file");
+  expect_refused(folder.write("a.csv", ""), 0, "empty");
+  expect_refused(folder.write("a.ply", "ply\n"), 0,
+                 "unknown extension '.ply' (known: .csv, .txt, .npy)");
+  expect_refused(folder.write("a.npy", "1,2,3,4,5,6\n"), 0, "no .npy file");
   write_cloud(folder / "cloud.npy", Points::Ones(3, 2));
-  expect_error(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6) or (N, 7)");
+  expect_refused(folder / "cloud.npy", 0, "shape (2, 3), expected (N, 6) or (N, 7)");
   Points bad = Points::Ones(3, 2);
   bad(0, 1) = INFINITY;
   write_matches(folder / "bad.npy", bad, bad);
-  expect_error(folder / "bad.npy", 0, "row 1 (from 0)");
+  expect_refused(folder / "bad.npy", 0, "row 1 (from 0)");
 }
 
 TEST(WriteMatches, RefusesSidesOfDifferentLengthAndBadBounds) {

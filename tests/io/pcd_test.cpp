@@ -14,7 +14,7 @@ namespace {
 using test::bytes_of;
 using test::TemporaryFolder;
 
-const Points kTwo{{1, 4}, {2, 5}, {3, 6}};
+const Points kTwoPoints{{1, 4}, {2, 5}, {3, 6}};
 
 std::string header(const std::string& size, const std::string& type, const std::string& data,
                    int count = 2) {
@@ -45,7 +45,7 @@ void expect_type(const std::string& type) {
                                    {"binary_compressed", compressed(columns)},
                                    {"binary_compressed", sizes + sizes + columns}}) {
     const auto path = folder.write("a.pcd", header(size, type, data) + body);
-    EXPECT_EQ(read_cloud(path).points, kTwo) << type << size << " " << data;
+    EXPECT_EQ(read_cloud(path).points, kTwoPoints) << type << size << " " << data;
   }
 }
 
@@ -71,18 +71,18 @@ TEST(Pcd, TakesFieldsOfSeveralValuesAmongTheCoordinates) {
   };
   EXPECT_EQ(read_cloud(folder.write("a.pcd", start + "DATA binary\n" + row(3, 2, 1) + row(6, 5, 4)))
                 .points,
-            kTwo);
+            kTwoPoints);
   const std::string columns = "abcabc" + bytes_of(std::vector<float>{3, 6}) + std::string(24, 'n') +
                               bytes_of(std::vector<double>{2, 5}) +
                               bytes_of(std::vector<std::int32_t>{1, 4});
   EXPECT_EQ(
       read_cloud(folder.write("b.pcd", start + "DATA binary_compressed\n" + compressed(columns)))
           .points,
-      kTwo);
+      kTwoPoints);
   EXPECT_EQ(read_cloud(folder.write("c.pcd", start + "DATA ascii\n9 9 9 3 0 0 1 2 1\n"
                                                      "9 9 9 6 0 0 1 5 4\n"))
                 .points,
-            kTwo);
+            kTwoPoints);
 }
 
 TEST(Pcd, OrganisedHasNoReturnWhereItIsZero) {
@@ -90,7 +90,7 @@ TEST(Pcd, OrganisedHasNoReturnWhereItIsZero) {
   const std::string start = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 2\nDATA ascii\n";
   const Cloud cloud =
       read_cloud(folder.write("a.pcd", start + "1 2 3\n0 0 0\nnan nan nan\n4 5 6\n"));
-  EXPECT_EQ(cloud.points, kTwo);
+  EXPECT_EQ(cloud.points, kTwoPoints);
   EXPECT_EQ(cloud.num_dropped, 2);
   ASSERT_EQ(cloud.notes.size(), 2U);
   EXPECT_EQ(cloud.notes[1], "dropped 1 points at (0, 0, 0), which mark no return");

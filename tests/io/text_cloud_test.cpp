@@ -10,7 +10,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-const Points kTwo{{1.5, 4.5}, {2.5, 5.25}, {-3, 6}};
+const Points kTwoOfText{{1.5, 4.5}, {2.5, 5.25}, {-3, 6}};
 
 TEST(TextCloud, IsReadByWhatItHoldsWhateverItsExtension) {
   const TemporaryFolder folder;
@@ -34,7 +34,7 @@ TEST(TextCloud, IsReadByWhatItHoldsWhateverItsExtension) {
            "x;y;z;label\n1,5;2,5;-3;wall\n4,5;5,25;6;floor\n",
        }) {
     for (const char* name : {"a.xyz", "a.txt", "a.asc", "a.pts", "a.csv"}) {
-      EXPECT_EQ(read_cloud(folder.write(name, text)).points, kTwo) << name << "\n" << text;
+      EXPECT_EQ(read_cloud(folder.write(name, text)).points, kTwoOfText) << name << "\n" << text;
     }
   }
 }
@@ -42,7 +42,7 @@ TEST(TextCloud, IsReadByWhatItHoldsWhateverItsExtension) {
 TEST(TextCloud, TakesTheFirstThreeOfMoreColumnsAndSaysSo) {
   const TemporaryFolder folder;
   const Cloud cloud = read_cloud(folder.write("a.pts", "1.5 2.5 -3 9 1 1 1\n4.5 5.25 6 9 1 1 1\n"));
-  EXPECT_EQ(cloud.points, kTwo);
+  EXPECT_EQ(cloud.points, kTwoOfText);
   ASSERT_EQ(cloud.notes.size(), 1U);
   EXPECT_EQ(cloud.notes[0], "x, y, z are the first 3 of 7 columns");
 }
@@ -60,7 +60,7 @@ TEST(TextCloud, DropsRowsWithoutANumberForACoordinate) {
   const Cloud cloud = read_cloud(folder.write(
       "a.csv",
       "x,y,z\n1.5,2.5,-3\n,,\nNA,1,1\n-1.#IND,2,3\n-nan(ind),2,3\n4.5,5.25,6\n1,null,2\n"));
-  EXPECT_EQ(cloud.points, kTwo);
+  EXPECT_EQ(cloud.points, kTwoOfText);
   EXPECT_EQ(cloud.num_dropped, 5);
 }
 

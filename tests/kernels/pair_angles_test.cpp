@@ -25,7 +25,7 @@ using kernels::OrientedPoints;
 using Counts = std::array<std::int32_t, kPairAngles * kAngleRow>;
 
 /// A point, and many about it: some coincide, some have no normal or the same one.
-struct Scene {
+struct OrientedScene {
   Eigen::MatrixX3d points, normals;
   std::vector<std::int32_t> neighbours;
 
@@ -35,9 +35,9 @@ struct Scene {
   }
 };
 
-Scene scene(std::uint64_t seed, Index count) {
+OrientedScene oriented_scene(std::uint64_t seed, Index count) {
   testing::RandomGeometry random(seed);
-  Scene made;
+  OrientedScene made;
   made.points.resize(count, 3);
   made.normals.resize(count, 3);
   for (Index i = 0; i < count; ++i) {
@@ -58,7 +58,7 @@ Scene scene(std::uint64_t seed, Index count) {
 }
 
 template <class Count>
-Counts counts_by(const Count& count, const Scene& in) {
+Counts counts_by(const Count& count, const OrientedScene& in) {
   Counts counts{};
   count(in.oriented(), 0, in.neighbours.data(), static_cast<Index>(in.neighbours.size()),
         counts.data());
@@ -68,7 +68,7 @@ Counts counts_by(const Count& count, const Scene& in) {
 TEST(PairAngles, AreThoseOfTheReferenceOnEveryInstructionSet) {
   testing::for_each_isa([] {
     for (Index count = 1; count < 60; ++count) {
-      const Scene in = scene(static_cast<std::uint64_t>(count), count);
+      const OrientedScene in = oriented_scene(static_cast<std::uint64_t>(count), count);
       ASSERT_EQ(counts_by(kernels::count_pair_angles, in),
                 counts_by(kernels::count_pair_angles_reference, in))
           << count;
@@ -77,7 +77,7 @@ TEST(PairAngles, AreThoseOfTheReferenceOnEveryInstructionSet) {
 }
 
 TEST(PairAngles, AddToTheCounts) {
-  const Scene in = scene(1, 40);
+  const OrientedScene in = oriented_scene(1, 40);
   Counts twice = counts_by(kernels::count_pair_angles, in);
   Counts once = twice;
   kernels::count_pair_angles(in.oriented(), 0, in.neighbours.data(),
@@ -87,7 +87,7 @@ TEST(PairAngles, AddToTheCounts) {
 }
 
 /// By the words of the paper, with an arc tangent.
-Counts by_the_paper(const Scene& in) {
+Counts by_the_paper(const OrientedScene& in) {
   constexpr double kPi = std::numbers::pi;
   Counts counts{};
   const auto bin = [](double value, double min, double max) {
@@ -120,7 +120,7 @@ TEST(PairAngles, AreThoseOfThePaper) {
   // without pairs of equal or opposite normals, where rounding tells the sign of an angle of 0 or
   // pi
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Scene in = scene(seed, 60);
+    OrientedScene in = oriented_scene(seed, 60);
     std::erase_if(in.neighbours,
                   [](std::int32_t i) { return i % 5 == 2 || i % 13 == 6 || i % 17 == 9; });
     EXPECT_EQ(counts_by(kernels::count_pair_angles_reference, in), by_the_paper(in)) << seed;

@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "noise/unknown_noise.hpp"
 #include "problems.hpp"
 
 namespace gmcr::noise {
 namespace {
 
-Options unknown_noise() {
-  Options options;
-  options.noise_mode = NoiseMode::Estimated;
-  return options;
-}
-
-Options unknown_noise_and_scale() {
-  Options options = unknown_noise();
-  options.scale_mode = ScaleMode::Estimated;
-  return options;
-}
+using testing::unknown_noise;
+using testing::unknown_noise_and_scale;
 
 TEST(NoiseEstimation, OfRandomCorrespondencesSaysThatChanceExplainsThem) {
   testing::RandomGeometry random(3);

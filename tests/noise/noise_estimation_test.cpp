@@ -13,6 +13,7 @@
 #include "data_folder.hpp"
 #include "gmcr/metrics.hpp"
 #include "gmcr/synthetic.hpp"
+#include "noise/unknown_noise.hpp"
 #include "problems.hpp"
 
 namespace gmcr::noise {
@@ -20,18 +21,8 @@ namespace {
 
 constexpr double kNoise = 0.01;
 
-Options unknown_noise(double scale = 1) {
-  Options options;
-  options.noise_mode = NoiseMode::Estimated;
-  options.scale = scale;
-  return options;
-}
-
-Options unknown_noise_and_scale() {
-  Options options = unknown_noise();
-  options.scale_mode = ScaleMode::Estimated;
-  return options;
-}
+using testing::unknown_noise;
+using testing::unknown_noise_and_scale;
 
 SyntheticProblem ball_problem(double outlier_rate, NoiseShape shape, bool scaled) {
   SyntheticOptions options;

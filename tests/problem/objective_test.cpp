@@ -10,12 +10,12 @@
 namespace gmcr::problem {
 namespace {
 
-constexpr std::size_t kEnough = 1 << 20;
+constexpr std::size_t kEnoughMemory = 1 << 20;
 
 TEST(Objective, JudgesByTheNumberOfInliersWhenTheEvidenceIsCount) {
   const auto problem = testing::random_problem(1, 20, 30);
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(50, 0.01)};
-  const Objective objective(c, Evidence::Count, kEnough);
+  const Objective objective(c, Evidence::Count, kEnoughMemory);
   const Hypothesis truth = objective.judge({problem.truth});
   EXPECT_EQ(truth.num_inliers(), 20);
   EXPECT_EQ(truth.evidence, 20);
@@ -31,7 +31,7 @@ TEST(Objective, GivesCopiesOneVoteWhenTheEvidenceIsDistinct) {
     problem.target.col(i) = problem.target.col(0);
   }
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(10, 0.01)};
-  const Objective objective(c, Evidence::Distinct, kEnough);
+  const Objective objective(c, Evidence::Distinct, kEnoughMemory);
   EXPECT_NEAR(objective.judge({problem.truth}).evidence, 5, 1e-12);
   EXPECT_EQ(objective.judge({problem.truth}).num_inliers(), 10);
 }
@@ -39,8 +39,8 @@ TEST(Objective, GivesCopiesOneVoteWhenTheEvidenceIsDistinct) {
 TEST(Objective, WeighsAtAKnownScaleAsInARange) {
   const auto problem = testing::random_problem(4, 30, 60);
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(90, 0.1)};
-  const Objective all(c, Evidence::Distinct, kEnough);
-  const Objective known(c, Evidence::Distinct, kEnough, {1, 1});
+  const Objective all(c, Evidence::Distinct, kEnoughMemory);
+  const Objective known(c, Evidence::Distinct, kEnoughMemory, {1, 1});
   ASSERT_TRUE(known.is_weighted());
   EXPECT_TRUE(all.weights_depend_on_scale());
   EXPECT_FALSE(known.weights_depend_on_scale());
@@ -52,7 +52,7 @@ TEST(Objective, TakesNoResidualThatIsNotANumberForAnInlier) {
   const Correspondences c{problem.source, problem.target, Eigen::ArrayXd::Constant(10, 0.01)};
   Similarity pose = problem.truth;
   pose.translation.x() = std::nan("");
-  EXPECT_EQ(Objective(c, Evidence::Count, kEnough).judge({pose}).num_inliers(), 0);
+  EXPECT_EQ(Objective(c, Evidence::Count, kEnoughMemory).judge({pose}).num_inliers(), 0);
 }
 
 TEST(IsBetter, PrefersMoreEvidenceAndThenACloserFit) {

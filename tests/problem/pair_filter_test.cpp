@@ -19,7 +19,7 @@ Eigen::Matrix3d about(const Vector3d& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
 }
 
-Correspondences random_correspondences(testing::RandomGeometry& random, Index count) {
+Correspondences tight_correspondences(testing::RandomGeometry& random, Index count) {
   Correspondences c{random.in_cube(count), random.in_cube(count), Eigen::ArrayXd(count)};
   for (double& bound : c.bounds) bound = random.uniform(0.02, 0.1);
   return c;
@@ -93,7 +93,7 @@ TEST(PairFilter, KeepsAllInliersOfEveryPoseThatThePriorsAdmit) {
 
 TEST(PairFilter, OfAKnownAxisComparesHeightsAndDistancesFromTheAxis) {
   testing::RandomGeometry random(2);
-  const Correspondences c = random_correspondences(random, 80);
+  const Correspondences c = tight_correspondences(random, 80);
   const PairFilter filter(c, Priors{upright(0), {}}, false, {1.2, 1.2});
   int admitted = 0;
   for (Index i = 0; i < c.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(PairFilter, OfAKnownAxisComparesHeightsAndDistancesFromTheAxis) {
 
 TEST(PairFilter, OfAnInitialPoseFindsTheNearestRotationAndScale) {
   testing::RandomGeometry random(3);
-  const Correspondences c = random_correspondences(random, 60);
+  const Correspondences c = tight_correspondences(random, 60);
   const ScaleRange scales{0.8, 1.1};
   Priors priors;
   priors.initial_pose = InitialPose{random.similarity(1, 1, 1), 0.7};
@@ -140,7 +140,7 @@ TEST(PairFilter, OfAnInitialPoseFindsTheNearestRotationAndScale) {
 
 TEST(PairFilter, AdmitsMoreWhereTheTiltIsLarger) {
   testing::RandomGeometry random(4);
-  const Correspondences c = random_correspondences(random, 100);
+  const Correspondences c = tight_correspondences(random, 100);
   const BitsetGraph all = consistency_graph(consistency_arrays(c, 1), {1, 1}, 1);
   Index before = 0;
   for (const double tilt : {0.0, 0.1, 0.5, 2.0}) {
@@ -154,7 +154,7 @@ TEST(PairFilter, AdmitsMoreWhereTheTiltIsLarger) {
 
 TEST(PairFilter, WithoutLimitsIsL1) {
   testing::RandomGeometry random(5);
-  const Correspondences c = random_correspondences(random, 50);
+  const Correspondences c = tight_correspondences(random, 50);
   const auto arrays = consistency_arrays(c, 1.3);
   Priors free;
   free.gravity = upright(std::numbers::pi);
@@ -233,7 +233,7 @@ TEST(PairFilter, OneToOneParsCorrespondencesThatShareAPoint) {
 TEST(PairFilter, LeavesExactlyTheAdmittedEdgesForAnyNumberOfThreads) {
   testing::RandomGeometry random(8);
   for (const Index count : {0, 1, 63, 64, 65, 130, 600}) {
-    Correspondences c = random_correspondences(random, count);
+    Correspondences c = tight_correspondences(random, count);
     for (Index i = 4; i < count; i += 5) c.source.col(i) = c.source.col(i - 3);
     const ScaleRange scales{0.9, 1.2};
     Priors priors{upright(0.1), {}};

@@ -19,7 +19,7 @@ namespace {
 constexpr double kBound = 0.05;
 
 /// A few correspondences, and how much each of them weighs.
-struct SmallProblem {
+struct WeightedProblem {
   geometry::CorrespondenceArrays arrays;
   ScaleRange scales{1, 1};
   std::vector<double> weights;
@@ -54,11 +54,11 @@ struct SmallProblem {
 
 enum class Kind { Loose, Planted, Mirrored, NearDuplicates };
 
-SmallProblem small_problem(std::uint64_t seed, Kind kind, bool scale_is_known, bool same_bounds,
-                           bool same_weights) {
+WeightedProblem small_problem(std::uint64_t seed, Kind kind, bool scale_is_known, bool same_bounds,
+                              bool same_weights) {
   testing::RandomGeometry random(seed);
   const Index n = 8 + random.index(4);
-  SmallProblem problem;
+  WeightedProblem problem;
   if (!scale_is_known) problem.scales = {0.8, 1.3};
   const Similarity truth = random.similarity(problem.scales.min, problem.scales.max, 1);
   Points source = random.in_cube(n);
@@ -91,7 +91,7 @@ enum class Fits { Yes, No, Unknown };
 
 /// Whether some pose holds all of the members: by minimax fits until they prove the one or the
 /// other.
-Fits fits_jointly(const SmallProblem& problem, const std::vector<Index>& members) {
+Fits fits_jointly(const WeightedProblem& problem, const std::vector<Index>& members) {
   estimation::MinimaxFit fit(problem.arrays.source(members, Eigen::all).transpose(),
                              problem.arrays.target(members, Eigen::all).transpose(),
                              problem.arrays.bounds(members),
@@ -105,7 +105,7 @@ Fits fits_jointly(const SmallProblem& problem, const std::vector<Index>& members
 
 /// Largest weight of a set that one pose holds, over all subsets; nullopt where one that would be
 /// larger stays undecided.
-std::optional<double> heaviest_by_enumeration(const SmallProblem& problem) {
+std::optional<double> heaviest_by_enumeration(const WeightedProblem& problem) {
   const BitsetGraph graph = problem.graph();
   const auto n = static_cast<unsigned>(problem.size());
   std::vector<Fits> fits(std::size_t{1} << n, Fits::Yes);
@@ -133,7 +133,7 @@ struct Tally {
   int problems = 0, undecided = 0, exact = 0, exact_from_truth = 0, below_total = 0;
 };
 
-void compare_with_enumeration(const SmallProblem& problem, Tally& tally) {
+void compare_with_enumeration(const WeightedProblem& problem, Tally& tally) {
   const auto truth = heaviest_by_enumeration(problem);
   ++tally.problems;
   if (!truth) {
@@ -178,9 +178,9 @@ INSTANTIATE_TEST_SUITE_P(Problems, ConsensusSearchOfKind,
                                            Kind::NearDuplicates));
 
 /// A cloud and its mirror image: all distances agree.
-SmallProblem mirrored_cloud(std::uint64_t seed, Index count, double bound) {
+WeightedProblem mirrored_cloud(std::uint64_t seed, Index count, double bound) {
   testing::RandomGeometry random(seed);
-  SmallProblem problem;
+  WeightedProblem problem;
   const Points source = random.in_cube(count);
   Points target = random.rotation() * source;
   target.row(0) *= -1;
@@ -191,7 +191,7 @@ SmallProblem mirrored_cloud(std::uint64_t seed, Index count, double bound) {
 
 TEST(ConsensusSearch, ProvesThatNoPoseHoldsAMirroredCliqueWhole) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const SmallProblem problem = mirrored_cloud(seed, 14, 0.02);
+    const WeightedProblem problem = mirrored_cloud(seed, 14, 0.02);
     ASSERT_EQ(problem.graph().num_edges(), 14 * 13 / 2);
     const double bound = problem.search(0);
     EXPECT_GE(bound, 3);  // any three points are held
@@ -200,14 +200,14 @@ TEST(ConsensusSearch, ProvesThatNoPoseHoldsAMirroredCliqueWhole) {
 }
 
 TEST(ConsensusSearch, OfLooseBoundsHoldsAll) {
-  const SmallProblem problem = mirrored_cloud(1, 14, 2);
+  const WeightedProblem problem = mirrored_cloud(1, 14, 2);
   EXPECT_EQ(problem.search(0), 14);
   EXPECT_EQ(problem.search(14), 14);
 }
 
 TEST(ConsensusSearch, NeedsNoHelpOfThePosesItOffers) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const SmallProblem problem = small_problem(seed, Kind::Loose, true, true, true);
+    const WeightedProblem problem = small_problem(seed, Kind::Loose, true, true, true);
     const auto truth = heaviest_by_enumeration(problem);
     if (!truth) continue;
     const BitsetGraph graph = problem.graph();
@@ -222,7 +222,7 @@ TEST(ConsensusSearch, NeedsNoHelpOfThePosesItOffers) {
 TEST(ConsensusSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
   // what the graph excludes for other reasons stays excluded
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const SmallProblem problem = mirrored_cloud(seed, 16, 5);
+    const WeightedProblem problem = mirrored_cloud(seed, 16, 5);
     testing::RandomGeometry random(seed);
     BitsetGraph graph(16);
     for (Index i = 0; i < 16; ++i) {
@@ -239,7 +239,7 @@ TEST(ConsensusSearch, OfSetsThatAllFitIsTheCliqueNumberOfTheGraph) {
 
 TEST(ConsensusSearch, OffersAPoseThatHoldsThePlantedSet) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const SmallProblem problem = small_problem(seed, Kind::Planted, true, true, true);
+    const WeightedProblem problem = small_problem(seed, Kind::Planted, true, true, true);
     const auto truth = heaviest_by_enumeration(problem);
     if (!truth) continue;
     const BitsetGraph graph = problem.graph();
@@ -256,7 +256,7 @@ TEST(ConsensusSearch, OffersAPoseThatHoldsThePlantedSet) {
 TEST(ConsensusSearch, EndsWithItsWorkAndBoundsAllTheSame) {
   const parallel::Deadline never = parallel::Deadline::never();
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const SmallProblem problem = small_problem(seed, Kind::Loose, false, true, false);
+    const WeightedProblem problem = small_problem(seed, Kind::Loose, false, true, false);
     const BitsetGraph graph = problem.graph();
     const double most = problem.search(0);
     for (const std::uint64_t work : {0, 1, 50, 500}) {
@@ -281,7 +281,7 @@ TEST(ConsensusSearch, OfFewCorrespondencesIsTheCliqueNumber) {
 }
 
 TEST(ConsensusSearch, OfAGraphWithoutEdgesIsTheHeaviestVertex) {
-  SmallProblem problem = mirrored_cloud(1, 7, 0.01);
+  WeightedProblem problem = mirrored_cloud(1, 7, 0.01);
   for (Index i = 0; i < 7; ++i) {
     problem.arrays.target.row(i) *= static_cast<double>(10 * (i + 1));
     problem.weights[static_cast<std::size_t>(i)] = 0.1 * static_cast<double>(i + 1);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from gmcr.__main__ import TOOL
 
 jsonschema = pytest.importorskip("jsonschema", reason="the extra test is not installed")
 
+ROOT = Path(__file__).parents[2]
 VALIDATOR = jsonschema.Draft202012Validator(result_schema.closed())
 
 
@@ -39,8 +41,21 @@ def matches(problem: gmcr.SyntheticProblem, tmp_path: Path) -> Path:
     return tmp_path / "matches.npy"
 
 
-def test_the_page_says_what_the_schema_says() -> None:
-    assert result_schema.rows_of_page() == result_schema.rows()
+def checked(*page: Path) -> subprocess.CompletedProcess[str]:
+    """What the program says that writes the tables of docs/json.md from the schema."""
+    command = [sys.executable, "-B", str(ROOT / "site/json_page.py"), "--check", *map(str, page)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+
+
+def test_the_page_says_what_the_schema_says(tmp_path: Path) -> None:
+    done = checked()
+    assert done.returncode == 0, done.stderr
+    page = (result_schema.DOCS / "json.md").read_text(encoding="utf-8")
+    for meaning in ("R, row by row", "wall time of each stage", "points of the source, as read"):
+        assert page.count(meaning) == 1
+        (tmp_path / "json.md").write_text(page.replace(meaning, "?"), encoding="utf-8")
+        done = checked(tmp_path / "json.md")
+        assert done.returncode == 1 and "run site/json_page.py" in done.stderr
 
 
 def test_the_schema_is_one_and_refuses_what_it_does_not_list(result: gmcr.Result) -> None:

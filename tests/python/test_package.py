@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
+import importlib
 import importlib.metadata
 import inspect
 import json
 import os
+import re
 import subprocess
 import sys
 import tarfile
@@ -81,6 +84,24 @@ def test_everything_public_is_documented(name):
     if inspect.isclass(thing):
         for field, value in vars(thing).items():
             assert not isinstance(value, property) or value.__doc__, field
+
+
+@pytest.mark.parametrize("name", ["batch", "io", "multiview", "viz"])
+def test_everything_public_of_a_module_is_documented(name):
+    module = importlib.import_module(f"gmcr.{name}")
+    things = [getattr(module, public) for public in module.__all__]
+    ours = [thing for thing in things if getattr(thing, "__module__", "").startswith("gmcr.")]
+    assert ours
+    for thing in ours:
+        said = inspect.getdoc(thing)
+        assert said, thing
+        if inspect.isfunction(thing):
+            says_what = "Returns" in said or "Yields" in said
+            assert says_what or thing.__annotations__["return"] == "None", thing
+            assert "Parameters" in said, thing
+        if dataclasses.is_dataclass(thing):
+            listed = ", ".join(re.findall(r"^(\w[\w, ]*) : ", said, re.MULTILINE)).split(", ")
+            assert set(vars(thing)["__annotations__"]) <= set(listed), thing
 
 
 def test_python_m_gmcr_tells_its_version():

@@ -58,7 +58,7 @@ TEST(Uncertainty, CoversTheErrorOfMostResults) {
 }
 
 TEST(Uncertainty, IsTrueAtAnyBound) {
-  constexpr double kSigma = 0.01;
+  constexpr double kDeviation = 0.01;
   constexpr Index kRight = 60;
   for (const double factor : {2.0, 3.0, 5.0}) {
     int num_outside = 0;
@@ -68,11 +68,11 @@ TEST(Uncertainty, IsTrueAtAnyBound) {
       for (Index i = 0; i < kRight; ++i) {
         problem.target.col(i) = problem.truth * problem.source.col(i);
         for (Index axis = 0; axis < 3; ++axis) {
-          problem.target(axis, i) += kSigma * random.normal();
+          problem.target(axis, i) += kDeviation * random.normal();
         }
       }
       Options options = problem.options();
-      options.noise_bound = factor * kSigma;
+      options.noise_bound = factor * kDeviation;
       const Result result = register_correspondences(problem.source, problem.target, options);
       ASSERT_TRUE(result.covariance);
       num_outside += squared_distance(result, problem.truth) > 12.6;

@@ -11,11 +11,11 @@
 namespace gmcr::search {
 namespace {
 
-constexpr std::size_t kManyBytes = std::size_t{1} << 30;
+constexpr std::size_t kPlentyOfBytes = std::size_t{1} << 30;
 
 ScaleVotes votes_of(const geometry::CorrespondenceArrays& arrays, const ScaleBins& bins,
                     const BinGroupWeights& weights, int num_threads = 1) {
-  return count_scale_votes(arrays, bins, weights, kManyBytes, num_threads);
+  return count_scale_votes(arrays, bins, weights, kPlentyOfBytes, num_threads);
 }
 
 geometry::CorrespondenceArrays random_arrays(std::uint64_t seed, Index n, double bound) {
@@ -138,7 +138,7 @@ TEST(ScaleVotes, AreTheSameForAnyNumberOfThreads) {
   const BinGroupWeights weights(n, bins,
                                 [](Index i, double) { return 1.0 / static_cast<double>(i + 1); });
   const ScaleVotes one = votes_of(arrays, bins, weights, 1);
-  for (const std::size_t max_bytes : {kManyBytes, std::size_t{1}}) {
+  for (const std::size_t max_bytes : {kPlentyOfBytes, std::size_t{1}}) {
     const ScaleVotes four = count_scale_votes(arrays, bins, weights, max_bytes, 4);
     EXPECT_EQ(one.pairs, four.pairs);
     EXPECT_EQ(one.evidence, four.evidence);
@@ -153,7 +153,7 @@ TEST(ScaleVotes, BoundByAllPairsWhereTimeIsUp) {
   const auto arrays = random_arrays(3, n, 0.05);
   const ScaleBins bins({0.05, 50}, 1.02);
   const ScaleVotes votes =
-      count_scale_votes(arrays, bins, BinGroupWeights(n), kManyBytes, 1, parallel::Deadline(0));
+      count_scale_votes(arrays, bins, BinGroupWeights(n), kPlentyOfBytes, 1, parallel::Deadline(0));
   EXPECT_EQ(votes.pairs, std::vector<Index>(static_cast<std::size_t>(bins.size()), 190));
   EXPECT_EQ(at(votes.max_members, 3), 20);
   EXPECT_EQ(at(votes.max_evidence, 3), 20);

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "gmcr/result.hpp"
+
 namespace gmcr::cli {
 
 /// What the process returns.
@@ -12,6 +14,11 @@ enum ExitCode : int {
   kBadInput = 2,
   kBadFile = 3,
 };
+
+/// That of an answer, where a verdict is required of it.
+inline ExitCode exit_code_of(const Result& result, Verdict verdict, Verdict required) {
+  return result.status == Status::Ok && verdict <= required ? kPoseFound : kNoPose;
+}
 
 /// The work that the command line asks for; set by the command that was named.
 using Work = std::function<ExitCode()>;

@@ -85,17 +85,10 @@ ExitCode run(const Arguments& arguments) {
     context.total_seconds = stopwatch.seconds();
   }
   const std::vector<std::string> written = write_files(arguments, scan_file, result.registration);
-  if (arguments.output.json) {
-    print_json(to_json(result, context, kJsonIndent));
-  } else {
-    Report report(arguments.output);
-    report.add(report_lines(result, Detail::Full, context));
-    for (const std::string& path : written) report.line("written", path);
-    report.print();
-  }
-  return result.registration.status == Status::Ok && result.verdict <= arguments.required
-             ? kPoseFound
-             : kNoPose;
+  print_answer(
+      arguments.output, [&] { return to_json(result, context, kJsonIndent); },
+      [&] { return report_lines(result, Detail::Full, context); }, written);
+  return exit_code_of(result.registration, result.verdict, arguments.required);
 }
 
 }  // namespace

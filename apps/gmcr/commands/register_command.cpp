@@ -135,18 +135,14 @@ ExitCode run(const Arguments& arguments) {
                                                      : to_json(result, context, kJsonIndent);
   const std::vector<std::string> written =
       write_files(arguments, files, result, pair.source(), pair.target(), json);
-  if (arguments.output.json) {
-    print_json(json);
-  } else {
-    Report report(arguments.output);
-    report.add(arguments.wants_instances ? report_lines(results, Detail::Full, context)
-                                         : report_lines(result, Detail::Full, context));
-    for (const std::string& path : written) report.line("written", path);
-    report.print();
-  }
-  return result.registration.status == Status::Ok && result.verdict <= arguments.required
-             ? kPoseFound
-             : kNoPose;
+  print_answer(
+      arguments.output, [&] { return json; },
+      [&] {
+        return arguments.wants_instances ? report_lines(results, Detail::Full, context)
+                                         : report_lines(result, Detail::Full, context);
+      },
+      written);
+  return exit_code_of(result.registration, result.verdict, arguments.required);
 }
 
 }  // namespace

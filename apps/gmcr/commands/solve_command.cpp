@@ -92,9 +92,10 @@ ExitCode run(const Arguments& arguments) {
   const std::vector<Result> results = solve(arguments, matches, options);
   const double seconds = stopwatch.seconds();
   const Result& best = results.front();
-  const bool is_ok = best.status == Status::Ok;
-  if (is_ok && !arguments.transform_path.empty()) {
+  std::vector<std::string> written;
+  if (best.status == Status::Ok && !arguments.transform_path.empty()) {
     write_transform(arguments.transform_path, best.target_from_source);
+    written.push_back(arguments.transform_path);
   }
   if (!arguments.inliers_path.empty()) write_indices(arguments.inliers_path, best.inliers);
   ReportContext context;
@@ -103,20 +104,16 @@ ExitCode run(const Arguments& arguments) {
   if (!arguments.report_path.empty()) {
     write_html_report(arguments.report_path, json_of(arguments, results, context),
                       {file.name(), matches, {}, {}});
+    written.push_back(arguments.report_path);
   }
-  if (arguments.output.json) {
-    print_json(json_of(arguments, results, context));
-  } else {
-    Report report(arguments.output);
-    report.add(arguments.wants_instances ? report_lines(results, Detail::Full, context)
-                                         : report_lines(best, Detail::Full, context));
-    if (is_ok && !arguments.transform_path.empty()) {
-      report.line("written", arguments.transform_path);
-    }
-    if (!arguments.report_path.empty()) report.line("written", arguments.report_path);
-    report.print();
-  }
-  return is_ok && best.verdict <= arguments.required ? kPoseFound : kNoPose;
+  print_answer(
+      arguments.output, [&] { return json_of(arguments, results, context); },
+      [&] {
+        return arguments.wants_instances ? report_lines(results, Detail::Full, context)
+                                         : report_lines(best, Detail::Full, context);
+      },
+      written);
+  return exit_code_of(best, best.verdict, arguments.required);
 }
 
 }  // namespace

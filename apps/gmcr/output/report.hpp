@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,5 +27,11 @@ class Report {
   OutputArguments output_;
   std::vector<ReportLine> lines_;
 };
+
+/// Prints an answer: its JSON where that was asked for, otherwise its lines and the files that were
+/// written.
+void print_answer(const OutputArguments& output, const std::function<std::string()>& json,
+                  const std::function<std::vector<ReportLine>()>& lines,
+                  const std::vector<std::string>& written);
 
 }  // namespace gmcr::cli

@@ -19,7 +19,19 @@ _KNOWN_NAMES = OPTION_NAMES | {"id", *_FILE_NAMES}
 
 @dataclasses.dataclass(frozen=True)
 class Pair:
-    """Two clouds, ``source`` and ``target``, or a file of ``matches``, and options of its own."""
+    """Two clouds, or a file of matches, and options of its own.
+
+    Attributes
+    ----------
+    id : str
+        Its name in the results.
+    source, target : str, optional
+        Paths of the two clouds.
+    matches : str, optional
+        Path of the matches, in place of the clouds.
+    options : dict of str to value
+        Those of this pair alone, by names of ``gmcr.batch.OPTION_NAMES``.
+    """
 
     id: str
     source: str | None = None

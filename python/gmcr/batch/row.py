@@ -16,39 +16,62 @@ class Row:
 
     All fields but the times and ``attempts`` are the same bits on every machine and for every
     number of workers, unless ``limits_hit`` says that a time limit ended the search.
+
+    Attributes
+    ----------
+    id : str
+        Of the pair, as the list has it.
+    status : str
+        'ok', 'too_few_correspondences', 'no_consensus', 'degenerate', or 'error', see ``reason``.
+    reason : str
+        Why not 'ok', one sentence.
+    target_from_source : list of float
+        Homogeneous matrix [s R, t; 0 0 0 1], 16 numbers, row by row: x_target = s R x_source + t.
+    scale : float
+        s, > 0.
+    num_correspondences, num_inliers : int
+        Matches of the pair, and those that agree with the transform.
+    max_inliers : int
+        Proven: no transform has more inliers.
+    certified : bool
+        ``num_inliers == max_inliers``.
+    evidence : float
+        What was maximised: inliers that are near copies of each other share one vote.
+    noise_bound : float
+        Metres; None where every correspondence had its own.
+    verdict, verdict_reason : str
+        'trusted', 'doubtful' or 'untrusted', and why, one sentence.
+    fitness : float
+        Share of the source that meets the target, in [0, 1]; of two clouds.
+    limits_hit : list of str
+        One sentence for each limit that made the work less than complete.
+    inliers : list of int
+        Indices of the correspondences that agree; only where they were asked for.
+    seconds, cpu_seconds, read_seconds : float
+        Wall time of the pair, its time on a core, and the wall time of reading its files.
+    attempts : int
+        How often the pair was started.
     """
 
     id: str
-    #: 'ok', 'too_few_correspondences', 'no_consensus', 'degenerate', or 'error', see reason.
     status: str
-    #: Why not 'ok', one sentence.
     reason: str = ""
-    #: Homogeneous matrix [s R, t; 0 0 0 1], 16 numbers, row by row: x_target = s R x_source + t.
     target_from_source: list[float] | None = None
     scale: float | None = None
     num_correspondences: int | None = None
     num_inliers: int | None = None
-    #: Proven: no transform has more inliers.
     max_inliers: int | None = None
-    #: num_inliers == max_inliers.
     certified: bool | None = None
     evidence: float | None = None
-    #: Metres; None where every correspondence had its own.
     noise_bound: float | None = None
-    #: 'trusted', 'doubtful' or 'untrusted', with the reason, of two clouds.
     verdict: str | None = None
     verdict_reason: str | None = None
-    #: Share of the source that meets the target, of two clouds.
     fitness: float | None = None
-    #: One sentence for each limit that made the work less than complete.
     limits_hit: list[str] | None = None
-    #: Indices of the correspondences that agree; only where they were asked for.
     inliers: list[int] | None = None
-    #: Wall time of the pair, its time on a core, and the wall time of reading its files.
     seconds: float | None = None
     cpu_seconds: float | None = None
     read_seconds: float | None = None
-    #: How often the pair was started.
     attempts: int = 1
 
 

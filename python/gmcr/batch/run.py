@@ -25,18 +25,27 @@ from .work import Register, Work
 
 @dataclasses.dataclass(frozen=True)
 class Summary:
-    """What a run came to."""
+    """What a run came to.
 
-    #: Pairs in the list, and those of them that had a row before.
+    Attributes
+    ----------
+    num_pairs, num_skipped : int
+        Pairs in the list, and those of them that had a row before.
+    statuses : dict of str to int
+        Status -> pairs, of those of this run.
+    seconds : float
+        Wall time, without reading and checking the list.
+    num_errors : int
+        Error rows in the folder, those of earlier runs too; ``retry_errors`` works on them again.
+    first_error : str
+        ``id: reason`` of the first error row of this run; empty where it has none.
+    """
+
     num_pairs: int
     num_skipped: int
-    #: Status -> pairs, of those of this run.
     statuses: dict[str, int]
-    #: Wall time, without reading and checking the list.
     seconds: float
-    #: Error rows in the folder, those of earlier runs too; ``retry_errors`` works on them again.
     num_errors: int
-    #: ``id: reason`` of the first error row of this run; empty where it has none.
     first_error: str
 
 

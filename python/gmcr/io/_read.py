@@ -28,7 +28,23 @@ def read_points(
     mesh_points: int | None = None,
     bin_columns: int | None = None,
 ) -> npt.NDArray[np.float64]:
-    """Points of a cloud file: ``read_cloud(...).points``, (N, 3), in the unit of the file."""
+    """Points of a cloud file: ``read_cloud(...).points``.
+
+    Parameters
+    ----------
+    path, topic, index, mesh_points, bin_columns
+        As for ``read_cloud``.
+
+    Returns
+    -------
+    ndarray of float64, shape (N, 3)
+        N >= 1, finite, in the order and the unit of the file.
+
+    Raises
+    ------
+    CloudFileError, ImportError, ValueError
+        as ``read_cloud``.
+    """
     return read_cloud(
         path, topic=topic, index=index, mesh_points=mesh_points, bin_columns=bin_columns
     ).points

@@ -17,17 +17,18 @@ constexpr double kMaxGrowth = 0.1;  // relative change of the scale a step
 constexpr int kMaxHalvings = 6;
 
 using Step = Eigen::Matrix<double, 7, 1>;  // as in `NormalEquations`, metres
+using UpToSeven = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 7, 7>;
 
 /// Solves for the step along the directions that the pairs determine.
 Step solve(const NormalEquations& equations, bool estimates_scale) {
   const Index size = estimates_scale ? 7 : 6;
-  const Eigen::MatrixXd matrix = equations.matrix.topLeftCorner(size, size);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  const Eigen::VectorXd& values = solver.eigenvalues();
+  const UpToSeven matrix = equations.matrix.topLeftCorner(size, size);
+  const Eigen::SelfAdjointEigenSolver<UpToSeven> solver(matrix);
+  const auto& values = solver.eigenvalues();
   Step step = Step::Zero();
   for (Index k = 0; k < size; ++k) {
     if (!(values[k] > kRankTolerance * values[size - 1])) continue;
-    const Eigen::VectorXd direction = solver.eigenvectors().col(k);
+    const auto direction = solver.eigenvectors().col(k);
     step.head(size) -= direction * (direction.dot(equations.gradient.head(size)) / values[k]);
   }
   const double angle = step.head<3>().norm() / equations.lever;

@@ -9,7 +9,7 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr Index kGrain = 2048;  // fewer pairs take less time than to wake a thread
+constexpr Index kPairGrain = 2048;  // fewer pairs take less time than to wake a thread
 
 /// 0 at 60 degrees between the normals and more, 1 where they are parallel, whatever their signs.
 double agreement_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -88,7 +88,7 @@ PlanePairs find_pairs(SurfaceCloud& source, SurfaceCloud& target, const Samples&
   PlanePairs result;
   result.num_sought = count;
   result.pairs.resize(found.size());
-  parallel::parallel_for(count, kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(count, kPairGrain, num_threads, [&](Index begin, Index end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       PlanePair& pair = result.pairs[k];
       pair.normal.setZero();

@@ -22,7 +22,7 @@ constexpr double kLineTolerance = 1e-6;
 constexpr double kReach = 3.05;
 
 /// Queries of a thread at a time: fewer take less time than to wake one.
-constexpr Index kGrain = 1024;
+constexpr Index kNormalGrain = 1024;
 /// How much farther each grid reaches than the one before, for points that have few nearby.
 constexpr double kFarther = 3;
 
@@ -46,7 +46,7 @@ std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius
   const double squared_radius =
       std::nextafter(radius * radius, std::numeric_limits<double>::infinity());
   std::vector<Index> found(static_cast<std::size_t>(queries.cols()), -1);
-  parallel::parallel_for(queries.cols(), kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(queries.cols(), kNormalGrain, num_threads, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i) {
       const double* query = queries.col(i).data();
       const kernels::NearestPoint nearest =

@@ -1,7 +1,6 @@
 #include "frontend/alignment/surface_fit.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "frontend/alignment/plane_pairs.hpp"
@@ -16,9 +15,8 @@ constexpr double kMeeting = 0.6;
 /// normals are noisy; an object whose turn still is held has 0.01.
 constexpr double kWeak = 0.008;
 
-template <int kRows>
-using UpToSix = Eigen::Matrix<double, kRows, Eigen::Dynamic, Eigen::ColMajor, kRows, 6>;
 using Motion = Eigen::Matrix<double, 6, 1>;  // turn times the lever, shift
+using MotionMatrix = Eigen::Matrix<double, 6, 6>;
 
 struct Counts {
   double near = 0;     ///< samples with a pair
@@ -37,7 +35,7 @@ Counts count(const PlanePairs& pairs) {
 }
 
 /// Mean square motion along the normals of what meets, of each unit motion about its centroid.
-Eigen::Matrix<double, 6, 6> stiffness_of(const std::vector<PlanePair>& pairs) {
+MotionMatrix stiffness_of(const std::vector<PlanePair>& pairs) {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double num_meeting = 0;
   for (const PlanePair& pair : pairs) {
@@ -45,14 +43,14 @@ Eigen::Matrix<double, 6, 6> stiffness_of(const std::vector<PlanePair>& pairs) {
     centroid += pair.moved;
     num_meeting += 1;
   }
-  if (num_meeting == 0) return Eigen::Matrix<double, 6, 6>::Zero();
+  if (num_meeting == 0) return MotionMatrix::Zero();
   centroid /= num_meeting;
   double squares = 0;
   for (const PlanePair& pair : pairs) {
     if (pair.agreement > kMeeting) squares += (pair.moved - centroid).squaredNorm();
   }
   const double lever = std::sqrt(squares / num_meeting);
-  Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
+  MotionMatrix stiffness = MotionMatrix::Zero();
   if (!(lever > 0)) return stiffness;
   for (const PlanePair& pair : pairs) {
     if (pair.agreement <= kMeeting) continue;
@@ -65,16 +63,19 @@ Eigen::Matrix<double, 6, 6> stiffness_of(const std::vector<PlanePair>& pairs) {
 
 /// The weak motions, told apart into turns and shifts: any mixture of equally weak ones is as weak.
 std::vector<WeakDirection> weak_directions_of(const std::vector<PlanePair>& pairs) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(stiffness_of(pairs));
+  const Eigen::SelfAdjointEigenSolver<MotionMatrix> solver(stiffness_of(pairs));
   const Index num_weak = (solver.eigenvalues().array() < kWeak).count();
   if (num_weak == 0) return {};
-  // of bounded sizes: a decomposition on the heap frees memory twice where an allocation fails
-  const UpToSix<6> weak = solver.eigenvectors().leftCols(num_weak);
-  const Eigen::JacobiSVD<UpToSix<3>> turns(weak.topRows<3>(), Eigen::ComputeFullV);
-  const UpToSix<6> apart = weak * turns.matrixV();
+  // Of their span, the motions with the least and the most of a turn: the last eigenvectors of
+  // (share of a turn, within the span) + 1, which is 0 outside.
+  const auto weak = solver.eigenvectors().leftCols(num_weak);
+  const MotionMatrix onto = weak * weak.transpose();
+  const auto turns = onto.topRows<3>();
+  const Eigen::SelfAdjointEigenSolver<MotionMatrix> apart(onto + turns.transpose() * turns);
   std::vector<WeakDirection> directions;
   for (Index k = 0; k < num_weak; ++k) {
-    const Eigen::Vector3d turn = apart.col(k).head<3>(), shift = apart.col(k).tail<3>();
+    const Motion motion = apart.eigenvectors().col(5 - k);
+    const Eigen::Vector3d turn = motion.head<3>(), shift = motion.tail<3>();
     WeakDirection& direction = directions.emplace_back();
     direction.stiffness = solver.eigenvalues()[k];
     if (turn.squaredNorm() > shift.squaredNorm()) {

@@ -12,7 +12,7 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr Index kGrain = 256;
+constexpr Index kFeatureGrain = 256;
 static_assert(kFpfhBins == kernels::kPairAngles * kernels::kAngleBins);
 
 /// Histograms of floats, `kernels::kHistogramStride` apart.
@@ -25,7 +25,7 @@ Histograms simplified_histograms(const PointsRef& points, const Points& normals,
   const kernels::OrientedPoints oriented{p.col(0).data(), p.col(1).data(), p.col(2).data(),
                                          n.col(0).data(), n.col(1).data(), n.col(2).data()};
   Histograms histograms = Histograms::Zero(Histograms::RowsAtCompileTime, points.cols());
-  parallel::parallel_for(points.cols(), kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(points.cols(), kFeatureGrain, num_threads, [&](Index begin, Index end) {
     using Counts = Eigen::Matrix<std::int32_t, kernels::kAngleRow, kernels::kPairAngles>;
     for (Index i = begin; i < end; ++i) {
       if (normals.col(i).isZero(0)) continue;
@@ -66,7 +66,7 @@ Features compute_fpfh(const PointsRef& points, const Points& normals,
                       const Neighbourhoods& neighbourhoods, int num_threads) {
   const Histograms simplified = simplified_histograms(points, normals, neighbourhoods, num_threads);
   Features features = Features::Zero(kFpfhBins, points.cols());
-  parallel::parallel_for(points.cols(), kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(points.cols(), kFeatureGrain, num_threads, [&](Index begin, Index end) {
     std::vector<float> weights;
     for (Index i = begin; i < end; ++i) {
       if (normals.col(i).isZero(0)) continue;

@@ -16,6 +16,7 @@ namespace {
 constexpr std::string_view kStart =
     "ply\nformat binary_little_endian 1.0\ncomment gmcr prepared cloud ";
 constexpr std::string_view kVersion = "1";
+constexpr std::string_view kNumGiven = "comment made_of ";
 constexpr std::string_view kChecksum = "comment checksum ";
 constexpr std::string_view kEnd = "end_header\n";
 
@@ -119,7 +120,9 @@ constexpr std::string_view kVertexProperties =
 
 std::string surface_properties() {
   std::string lines(kVertexProperties);
-  for (const char axis : {'x', 'y', 'z'}) lines += std::string("property double n") + axis + '\n';
+  for (const char* axis : {"nx", "ny", "nz"}) {
+    lines.append("property double ").append(axis).append("\n");
+  }
   for (int bin = 0; bin < kFpfhBins; ++bin) {
     lines += "property float fpfh_" + std::to_string(bin) + '\n';
   }
@@ -137,6 +140,9 @@ std::string head_of(const PreparedFile& file) {
   head +=
       "comment radii " + text_of(file.normal_radius) + ' ' + text_of(file.feature_radius) + '\n';
   head += "comment viewpoint " + text_of(file.viewpoint) + '\n';
+  if (file.num_given != file.points.cols()) {
+    head += std::string(kNumGiven) + std::to_string(file.num_given) + '\n';
+  }
   head += "element vertex " + std::to_string(file.points.cols()) + '\n';
   head += kVertexProperties;
   for (std::size_t k = 0; k < file.surfaces.size(); ++k) {
@@ -238,8 +244,12 @@ PreparedFile read_prepared(std::string_view bytes) {
   file.feature_radius = reader.number<double>();
   reader.expect("comment viewpoint ");
   file.viewpoint = reader.point();
+  const bool is_reduced = reader.takes(kNumGiven);
+  if (is_reduced) file.num_given = reader.number<Index>();
   reader.expect("element vertex ");
   file.points.resize(3, count_of(reader, reader.rest().size() / kVertexBytes));
+  if (!is_reduced) file.num_given = file.points.cols();
+  if (file.num_given < file.points.cols()) refuse("it is made of fewer points than it has");
   reader.expect(kVertexProperties);
   while (reader.takes("comment surface ")) {
     file.surfaces.push_back(read_surface_head(reader, file.surfaces.size()));

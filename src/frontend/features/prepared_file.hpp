@@ -16,6 +16,7 @@ struct PreparedFile {
   double feature_radius = 0;  ///< voxels
   Eigen::Vector3d viewpoint;  ///< metres
   std::vector<KnownSurface> surfaces;
+  Index num_given = 0;  ///< points that these were made of; as many as there are for a cloud
 };
 
 /// A binary PLY, with a checksum of all that it says.

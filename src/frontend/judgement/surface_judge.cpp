@@ -16,7 +16,7 @@ namespace {
 constexpr double kReach = 3;  // voxels: the matches put a pose within their noise bound
 constexpr double kFarthestReach = 12;
 constexpr double kLeastStep = 1e-2;  // voxels
-constexpr Index kSamples = 2500;
+constexpr Index kComparedSamples = 2500;
 constexpr Index kFewSamples = 600;
 constexpr Index kFewestSamples = 200;
 constexpr double kLongStep = 0.5;   // voxels
@@ -44,7 +44,7 @@ Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& sca
 }
 
 Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, {voxel_, kReach, kSamples, kLeastStep}, deadline);
+  return look(start, {voxel_, kReach, kComparedSamples, kLeastStep}, deadline);
 }
 
 Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Deadline& deadline) {
@@ -54,7 +54,7 @@ Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Dead
   const double size = std::sqrt(variances_.sum()) * scale;
   const double off = prior.max_translation + 2 * std::sin(prior.max_rotation / 2) * size;
   const double reach = std::clamp(off / voxel_, kReach, kFarthestReach);
-  return look(start, {voxel_, reach, kSamples, kLeastStep}, deadline);
+  return look(start, {voxel_, reach, kComparedSamples, kLeastStep}, deadline);
 }
 
 Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "frontend/points/extent.hpp"
+#include "geometry/angles.hpp"
 #include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
@@ -66,7 +67,7 @@ std::vector<Similarity> starts_of(const Points& object, const Points& view, doub
   std::vector<Similarity> starts;
   for (const Eigen::Vector3d& direction : directions()) {
     const Eigen::Vector3d seen = centre_of_view(object, direction, cell);
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(direction, toward);
+    const auto turn = geometry::turn_between(direction, toward);
     for (int k = 0; k < kTurns; ++k) {
       const double angle = 2 * std::numbers::pi * k / kTurns;
       Similarity start;

@@ -16,6 +16,7 @@
 #include "frontend/map/place_verdict.hpp"
 #include "frontend/map/placed_scan.hpp"
 #include "frontend/refine_clouds.hpp"
+#include "geometry/angles.hpp"
 #include "gmcr/localisation.hpp"
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
@@ -120,8 +121,8 @@ PlaceLimits Localisation::limits(const frontend::ScanOutline& outline) const {
 Similarity Localisation::as_gravity_says(Similarity pose) const {
   if (!options_.gravity) return pose;
   const Eigen::Vector3d sensor = pose * frontend_.source_viewpoint;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(
-      pose.rotation * options_.gravity->source, options_.gravity->target);
+  const Eigen::Quaterniond turn =
+      geometry::turn_between(pose.rotation * options_.gravity->source, options_.gravity->target);
   pose.rotation = turn.toRotationMatrix() * pose.rotation;
   pose.translation = sensor - pose.scale * (pose.rotation * frontend_.source_viewpoint);
   return pose;
@@ -223,7 +224,7 @@ CloudResult Localisation::run() {
   frontend::StageClock clock(result_.registration.diagnostics.stages);
   CloudMatches& matches = result_.matches;
   result_.num_source_points = scan_.cols();
-  result_.num_target_points = map_.fine.cols();
+  result_.num_target_points = map_.num_given;
   result_.num_attempts = 1;
   matches.target_voxel_size = map_.voxel_size;
   matches.source_voxel_size = map_.voxel_size / options_.scale;

@@ -13,8 +13,10 @@ namespace gmcr::frontend {
 /// What a prepared map holds.
 struct MapState {
   /// @param fine_voxels  metres, at least one, on voxels of half the size.
+  /// @param given        how many points they were made of.
   /// @param upward       unit.
-  MapState(Points fine_voxels, double voxel, const Eigen::Vector3d& upward, int num_threads);
+  MapState(Points fine_voxels, Index given, double voxel, const Eigen::Vector3d& upward,
+           int num_threads);
 
   /// A place as a pose of the scan: between the caller's frames.
   /// @param viewpoint  of the sensor, metres, scan frame.
@@ -25,6 +27,7 @@ struct MapState {
   Eigen::Vector3d level(const Eigen::Vector3d& point) const;
 
   Points fine;        ///< metres
+  Index num_given;    ///< points of the map before they were put on voxels
   double voxel_size;  ///< metres
   Eigen::Vector3d up;
   Points voxels;                          ///< metres

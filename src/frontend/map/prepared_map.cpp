@@ -51,8 +51,10 @@ Eigen::Vector3d unit(const Eigen::Vector3d& up) {
 
 namespace frontend {
 
-MapState::MapState(Points fine_voxels, double voxel, const Eigen::Vector3d& upward, int num_threads)
+MapState::MapState(Points fine_voxels, Index given, double voxel, const Eigen::Vector3d& upward,
+                   int num_threads)
     : fine(std::move(fine_voxels)),
+      num_given(given),
       voxel_size(voxel),
       up(upward),
       voxels(voxel_grid(fine, voxel)),
@@ -93,8 +95,8 @@ PreparedMap::PreparedMap(const PointsRef& points, const FrontendOptions& fronten
   frontend::validate_pair(points, Points(3, 0), frontend, solver);
   if (points.cols() == 0) throw std::invalid_argument("map: it has no points");
   const double voxel = frontend.voxel_size > 0 ? frontend.voxel_size : voxel_size_of(points);
-  state_ = std::make_shared<frontend::MapState>(voxel_grid(points, voxel / 2), voxel, unit(up),
-                                                num_threads);
+  state_ = std::make_shared<frontend::MapState>(voxel_grid(points, voxel / 2), points.cols(), voxel,
+                                                unit(up), num_threads);
 }
 
 const Points& PreparedMap::points() const { return state_->fine; }
@@ -108,7 +110,8 @@ std::string PreparedMap::to_bytes() const {
                                    radii.normal_radius,
                                    radii.feature_radius,
                                    radii.source_viewpoint,
-                                   {}});
+                                   {},
+                                   state_->num_given});
 }
 
 PreparedMap PreparedMap::from_bytes(std::string_view bytes, const Eigen::Vector3d& up,
@@ -124,8 +127,8 @@ PreparedMap PreparedMap::from_bytes(std::string_view bytes, const Eigen::Vector3
   }
   const bool is_cloud = !file.surfaces.empty();  // whose points are not on voxels yet
   Points fine = is_cloud ? voxel_grid(file.points, file.voxel_size / 2) : std::move(file.points);
-  return PreparedMap(std::make_shared<frontend::MapState>(std::move(fine), file.voxel_size,
-                                                          unit(up), num_threads));
+  return PreparedMap(std::make_shared<frontend::MapState>(std::move(fine), file.num_given,
+                                                          file.voxel_size, unit(up), num_threads));
 }
 
 }  // namespace gmcr

@@ -8,13 +8,14 @@
 #include <map>
 
 #include "frontend/map/structure_grid.hpp"
+#include "geometry/angles.hpp"
 
 namespace gmcr::frontend {
 namespace {
 
-constexpr double kGroundReach = 40;  // voxels about the sensor
-constexpr double kGroundCell = 4;    // voxels
-constexpr double kKernel = 1;        // voxels
+constexpr double kGroundAround = 40;  // voxels about the sensor
+constexpr double kGroundCell = 4;     // voxels
+constexpr double kKernel = 1;         // voxels
 constexpr int kRounds = 15;
 constexpr double kFarthest = StructureGrid::kCell * (StructureGrid::kMargin - 4);
 
@@ -28,7 +29,7 @@ std::array<int, 3> key_of(const OutlinePoint& point) {
 Points lowest_about(const Points& level) {
   std::map<std::array<int, 2>, Index> lowest;
   for (Index i = 0; i < level.cols(); ++i) {
-    if (level.col(i).head<2>().norm() > kGroundReach) continue;
+    if (level.col(i).head<2>().norm() > kGroundAround) continue;
     const std::array<int, 2> cell{static_cast<int>(std::floor(level(0, i) / kGroundCell)),
                                   static_cast<int>(std::floor(level(1, i) / kGroundCell))};
     const auto [known, is_new] = lowest.emplace(cell, i);
@@ -82,7 +83,7 @@ std::vector<OutlinePoint> distinct(const std::vector<OutlinePoint>& points) {
 }  // namespace
 
 Eigen::Matrix3d level_rotation(const Eigen::Vector3d& up) {
-  return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return geometry::turn_between(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 ScanOutline outline_of(const Points& voxels, const Eigen::Vector3d& up) {

@@ -15,7 +15,7 @@
 namespace gmcr {
 namespace {
 
-constexpr Index kGrain = 64;
+constexpr Index kMatchGrain = 64;
 
 struct Neighbour {
   float distance;  ///< squared, for Euclidean ones
@@ -43,7 +43,7 @@ std::vector<std::vector<Neighbour>> nearest_of_all(Index num_sources, Index num_
                                                    std::size_t most, int num_threads,
                                                    const Compare& compare) {
   std::vector<std::vector<Neighbour>> nearest(static_cast<std::size_t>(num_sources));
-  parallel::parallel_for(num_sources, kGrain, num_threads, [&](Index begin, Index end) {
+  parallel::parallel_for(num_sources, kMatchGrain, num_threads, [&](Index begin, Index end) {
     constexpr Index kGroup = kernels::GroupedDescriptors<float>::kGroup;
     std::vector<float> distances(static_cast<std::size_t>(num_targets + kGroup));
     for (Index i = begin; i < end; ++i) {

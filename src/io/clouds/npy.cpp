@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
 
-struct Header {
+struct NpyHeader {
   std::string descr;
   bool fortran_order = false;
   std::vector<Index> shape;
@@ -27,8 +27,8 @@ class HeaderParser {
   explicit HeaderParser(std::string_view text) : text_(text) {}
 
   /// Nullopt where the text is anything else than the three fields of the format.
-  std::optional<Header> parse() {
-    Header header;
+  std::optional<NpyHeader> parse() {
+    NpyHeader header;
     bool has_descr = false, has_order = false, has_shape = false;
     if (!take('{')) return std::nullopt;
     while (!take('}')) {
@@ -167,7 +167,7 @@ std::optional<ElementType> element_type_of(std::string_view descr) {
   return std::nullopt;
 }
 
-Eigen::MatrixXd load_matrix(std::string_view data, const Header& header,
+Eigen::MatrixXd load_matrix(std::string_view data, const NpyHeader& header,
                             const ElementType& element) {
   const Index rows = header.shape[0];
   const Index columns = header.shape[1];

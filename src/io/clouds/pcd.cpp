@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-struct Header {
+struct PcdHeader {
   std::vector<std::string> names;
   std::vector<Index> sizes;
   std::vector<std::string> types;
@@ -273,7 +273,7 @@ class PcdFile {
   const std::filesystem::path& path_;
   std::string_view bytes_;
   LineReader reader_;
-  Header header_;
+  PcdHeader header_;
   Records records_;
   std::size_t row_bytes_ = 0;
 };

@@ -13,8 +13,6 @@
 namespace gmcr::io {
 namespace {
 
-bool is_float(Scalar type) { return type == Scalar::Float32 || type == Scalar::Float64; }
-
 /// Walks over the binary values of a file.
 class BinaryCursor {
  public:

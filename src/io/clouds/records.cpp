@@ -85,6 +85,8 @@ std::string listed(const std::vector<Field>& fields) {
 
 }  // namespace
 
+bool is_float(Scalar type) { return type == Scalar::Float32 || type == Scalar::Float64; }
+
 std::size_t size_of(Scalar type) {
   return with_type(type, [](auto number) { return sizeof(number); });
 }

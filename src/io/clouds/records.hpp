@@ -15,6 +15,7 @@ namespace gmcr::io {
 /// Types of numbers that point files hold.
 enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 };
 
+bool is_float(Scalar type);
 std::size_t size_of(Scalar type);
 
 /// The number of that type at `bytes`, which hold it.

@@ -42,8 +42,6 @@ std::string format(const std::filesystem::path& path, const PointsRef& points) {
   throw IoError(path, 0, unknown_extension(extension, written_cloud_extensions()));
 }
 
-bool is_float(Scalar type) { return type == Scalar::Float32 || type == Scalar::Float64; }
-
 /// The new numbers of a row at three of its fields.
 struct Replacement {
   std::array<std::size_t, 3> fields;

@@ -10,7 +10,7 @@ from paper.losses import losses
 from paper.methods.registry import Outcome
 from paper.problem import easy_problem
 from paper.records import RecordFile, key_of, read_records
-from paper.report import BEGIN, END, HEADING, compose, replace_section
+from paper.report import HEADING, write_report
 from paper.scenarios import EXPERIMENTS, is_success
 from paper.scenarios.registry import Case, Experiment
 from paper.tables import TABLES
@@ -174,24 +174,13 @@ def test_a_method_that_is_as_often_right_wins_by_a_fifth_of_the_error():
     assert losses({"lidar": [*ours, *counting(0.9)]}) == ""
 
 
-def test_the_section_is_composed_from_a_folder_of_records(tmp_path):
+def test_the_page_is_composed_from_a_folder_of_records(tmp_path):
     records = RecordFile(tmp_path / "lidar.jsonl")
     for record in made_up_records("lidar"):
         records.append(record)
-    text = compose(tmp_path, tmp_path / "images", tmp_path)
+    write_report(tmp_path, tmp_path / "page.md", tmp_path / "images")
+    text = (tmp_path / "page.md").read_text()
     assert text.startswith(HEADING)
     assert "![" in text and "(images/experiment_lidar.png)" in text
     assert "2026-01-02" in text and "AVX2" in text and "0123456789" in text
     assert (tmp_path / "images" / "experiment_lidar.png").exists()
-
-
-def test_a_section_is_replaced_where_it_stands_and_added_where_it_is_missing():
-    section = f"{HEADING}\n\nnew\n"
-    block = f"{BEGIN}\n{section}{END}"
-    old = f"# Benchmarks\n\ntext\n\n{BEGIN}\nold\n\n## sub\n{END}\n\n## Next\n"
-    replaced = replace_section(old, section)
-    assert replaced == f"# Benchmarks\n\ntext\n\n{block}\n\n## Next\n"
-    assert replace_section(replaced, section) == replaced
-    assert replace_section("# Benchmarks\n", section) == f"# Benchmarks\n\n{block}\n"
-    with pytest.raises(ValueError, match="without"):
-        replace_section(f"text\n{BEGIN}\n", section)
