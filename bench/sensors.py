@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Clouds of unlike sensors, and of unknown scale: `gmcr.register_clouds` by default options.
 
-bench/sensors.py [--docs docs/benchmarks/sensors.md] [--records out/bench/sensors.jsonl]
+bench/sensors.py [--docs docs] [--records out/bench/sensors.jsonl]
 
 Every pair is registered at equal density and with an unlike source or target
 (bench/sensor_cases.py); every real pair with the scale known and estimated, its source scaled by a

@@ -96,10 +96,14 @@ std::optional<double> Attempts::guessed_scale(const FrontendSetting& setting) {
   CloudResult guess;
   guess.matches = match_with(source_, target_, frontend_, options, setting);
   if (exceeds_memory(guess.matches, options_)) return std::nullopt;
-  // a number of inliers closes most scales at once, evidence few; where it misleads, further
-  // attempts go by evidence
-  if (count_ == 0) options.evidence = Evidence::Count;
+  // a number of inliers closes most scales at once, evidence few; where few agree, evidence is less
+  // easily misled in the first attempt, and further ones try the number
+  options.evidence = Evidence::Count;
   guess.registration = register_matches(guess.matches, options);
+  if (count_ == 0 && guess.registration.inliers.size() < kSureOfScale) {
+    options.evidence = options_.evidence;
+    guess.registration = register_matches(guess.matches, options);
+  }
   note_limits(guess);
   if (guess.registration.status != Status::Ok) return std::nullopt;
   return guess.registration.target_from_source.scale;

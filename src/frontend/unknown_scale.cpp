@@ -44,6 +44,7 @@ void add_poses_at_scale(CloudResult& result, const Options& options, int num_pos
   Options known = options_with_bound(options, result.matches);
   known.scale_mode = ScaleMode::Known;
   known.scale = registration.target_from_source.scale;
+  known.scale_range.reset();
   known.num_hypotheses = num_poses;
   const Result more = register_correspondences(result.matches.source, result.matches.target, known);
   for (const StageTime& stage : more.diagnostics.stages) {

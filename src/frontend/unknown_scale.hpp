@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstddef>
+
 #include "frontend/features/cloud_scales.hpp"
 #include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
+
+/// Matches that agree at a guess from which on it needs no second opinion.
+inline constexpr std::size_t kSureOfScale = 30;
 
 /// Whether the scale of two clouds is guessed from a first matching, and then sought near that: not
 /// where the caller asks for a proof or for poses at other scales.

@@ -21,14 +21,14 @@ Options with_unknown_scale() {
   return options;
 }
 
-/// A shape, and two thirds of it at three times the size: by their extents the scale is another.
+/// A shape, and a third of it at three times the size: by their extents the scale is another.
 struct PartOfAShape {
   PartOfAShape() {
     motion = some_motion(3);
     const Points whole = bumpy_sphere(8000, 2);
     std::vector<Index> part;
     for (Index i = 0; i < whole.cols(); ++i) {
-      if (whole(0, i) > -0.3) part.push_back(i);
+      if (whole(0, i) > 0.3) part.push_back(i);
     }
     target = motion.apply(whole(Eigen::all, part));
   }
@@ -49,7 +49,7 @@ TEST(UnknownScale, GivesMatchesAtVoxelsOfOneSize) {
   EXPECT_NEAR(result.matches.target_voxel_size / result.matches.source_voxel_size, 3, 0.15);
   // by their own extents they are of another size
   const CloudMatches apart = match_clouds(pair.source, pair.target, frontend, with_unknown_scale());
-  EXPECT_LT(apart.target_voxel_size / apart.source_voxel_size, 2.8);
+  EXPECT_LT(apart.target_voxel_size / apart.source_voxel_size, 2.85);
   EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
 }
 
@@ -65,6 +65,18 @@ TEST(UnknownScale, IsSearchedNearAGuessAndSaysSo) {
   const CloudResult several = register_clouds(pair.source, pair.target, frontend, options);
   const ScaleRange wide = several.registration.diagnostics.scale_range;
   EXPECT_GT(wide.max / wide.min, 2);
+}
+
+TEST(UnknownScale, IsSoughtInTheRangeOfTheCaller) {
+  const PartOfAShape pair;
+  FrontendOptions frontend;
+  frontend.orientation = NormalOrientation::Outward;
+  Options options = with_unknown_scale();
+  options.scale_range = ScaleRange{2.5, 3.05};
+  const CloudResult result = register_clouds(pair.source, pair.target, frontend, options);
+  ASSERT_EQ(result.registration.status, Status::Ok);
+  EXPECT_LE(result.registration.diagnostics.scale_range.max, 3.05);
+  EXPECT_LE(result.registration.target_from_source.scale, 3.05);
 }
 
 TEST(UnknownScale, GivesTheSameBitsForAnyNumberOfThreads) {
