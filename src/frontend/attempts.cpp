@@ -96,11 +96,12 @@ std::optional<double> Attempts::guessed_scale(const FrontendSetting& setting) {
   CloudResult guess;
   guess.matches = match_with(source_, target_, frontend_, options, setting);
   if (exceeds_memory(guess.matches, options_)) return std::nullopt;
-  // a number of inliers closes most scales at once, evidence few; where few agree, evidence is less
-  // easily misled in the first attempt, and further ones try the number
+  // a number of inliers closes most scales at once, evidence few; where few agree, the first
+  // attempt goes by evidence, further ones by the number
   options.evidence = Evidence::Count;
   guess.registration = register_matches(guess.matches, options);
   if (count_ == 0 && guess.registration.inliers.size() < kSureOfScale) {
+    add_stages(stages_, guess.registration.diagnostics.stages);
     options.evidence = options_.evidence;
     guess.registration = register_matches(guess.matches, options);
   }
