@@ -147,7 +147,7 @@ def paired(records: list[dict], first: str, second: str) -> dict[str, list[tuple
 def density_table(records: list[dict]) -> str:
     rows: list[list[object]] = [
         ["clouds", "pairs", "right at equal density", "of these right", "trusted at equal density",
-         "trusted", "wrong trusted", "CPU s"]
+         "trusted", "wrong trusted at equal density", "wrong trusted", "CPU s"]
     ]  # fmt: skip
     total = [0, 0]
     for group, pairs in paired(records, "equal", "unlike").items():
@@ -157,15 +157,15 @@ def density_table(records: list[dict]) -> str:
         unlike = [pair[1] for pair in pairs]
         equal = [pair[0] for pair in pairs]
         seconds = " / ".join(f"{median(r['cpu_s'] for r in some):.2g}" for some in (equal, unlike))
-        wrong = trusted(unlike, False) + trusted(equal, False)
+        wrong = [trusted(some, False) for some in (equal, unlike)]
         share = f"{kept} ({100 * kept / max(len(at_equal), 1):.0f} %)"
-        counts = [trusted(equal, True), trusted(unlike, True), wrong]
+        counts = [trusted(equal, True), trusted(unlike, True), *wrong]
         rows.append([group, len(pairs), len(at_equal), share, *counts, seconds])
     elsewhere = [r for r in records if r["group"] == "other places"]
     if elsewhere:
         wrong = trusted(elsewhere, False)
         seconds = f"{median(r['cpu_s'] for r in elsewhere):.2g}"
-        rows.append(["thinned, other places", len(elsewhere), *4 * ["-"], wrong, seconds])
+        rows.append(["thinned, other places", len(elsewhere), *5 * ["-"], wrong, seconds])
     share = f"{100 * total[1] / max(total[0], 1):.0f} %"
     return f"Right of what is right at equal density: {total[1]} of {total[0]} ({share}).\n\n" + table(
         rows
@@ -182,7 +182,7 @@ def scale_table(records: list[dict]) -> str:
     several = [pair for group, pairs in groups.items() if group != "household" for pair in pairs]
     for group, pairs in [*groups.items(), ("all but household", several)]:
         known, estimated = ([pair[k] for pair in pairs] for k in (0, 1))
-        off = [100 * r["scale_error"] for r in estimated if r["right"]] or [float("nan")]
+        off = [100 * r["scale_error"] for r in estimated if r["right"]]
         ratio = median(b["cpu_s"] / a["cpu_s"] for a, b in pairs)
         seconds = [r["cpu_s"] for r in estimated]
         rows.append(
@@ -192,8 +192,7 @@ def scale_table(records: list[dict]) -> str:
                 *(sum(r["right"] for r in some) for some in (known, estimated)),
                 *(trusted(some, True) for some in (known, estimated)),
                 trusted(estimated, False),
-                f"{median(off):.2g} %",
-                f"{max(off):.2g} %",
+                *(f"{of(off):.2g} %" if off else "-" for of in (median, max)),
                 f"{median(seconds):.2g}",
                 f"{max(seconds):.2g}",
                 f"{ratio:.2g}",
