@@ -103,9 +103,10 @@ def camera_rays() -> Cloud:
 
 
 def two_places(random: np.random.Generator, size: np.ndarray) -> list[np.ndarray]:
-    step = random.uniform(0.4, 1.2) * scenes.rotation_about(
-        np.array([0.0, 0, 1]), random.uniform(0, 2 * np.pi)
-    )[0]
+    step = (
+        random.uniform(0.4, 1.2)
+        * scenes.rotation_about(np.array([0.0, 0, 1]), random.uniform(0, 2 * np.pi))[0]
+    )
     return [scenes.sensor_at(random, size / 2 + side * step / 2) for side in (-1, 1)]
 
 

@@ -167,8 +167,9 @@ def density_table(records: list[dict]) -> str:
         seconds = f"{median(r['cpu_s'] for r in elsewhere):.2g}"
         rows.append(["thinned, other places", len(elsewhere), *5 * ["-"], wrong, seconds])
     share = f"{100 * total[1] / max(total[0], 1):.0f} %"
-    return f"Right of what is right at equal density: {total[1]} of {total[0]} ({share}).\n\n" + table(
-        rows
+    return (
+        f"Right of what is right at equal density: {total[1]} of {total[0]} ({share}).\n\n"
+        + table(rows)
     )
 
 
