@@ -60,10 +60,14 @@ def distances_to_boxes(origin: np.ndarray, rays: Cloud, boxes: np.ndarray) -> np
 
 
 def scan_of(
-    boxes: np.ndarray, sensor: np.ndarray, random: np.random.Generator, farthest: float
+    boxes: np.ndarray,
+    sensor: np.ndarray,
+    random: np.random.Generator,
+    farthest: float,
+    rays: Cloud | None = None,
 ) -> Cloud:
-    """What a sensor sees, in its frame; noise of 8 mm along the rays."""
-    rays = directions(random)
+    """What a sensor sees, in its frame, all around by default; noise of 8 mm along the rays."""
+    rays = directions(random) if rays is None else rays
     turn, origin = sensor[:3, :3], sensor[:3, 3]
     distance = distances_to_boxes(origin, rays @ turn.T, boxes)
     distance = distance + random.normal(scale=0.008, size=len(rays))

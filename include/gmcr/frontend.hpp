@@ -34,7 +34,8 @@ struct FrontendOptions {
   /// Edge of a voxel, metres of the target frame, >= 0; 0 chooses it from the clouds.
   double voxel_size = 0;
   /// Edge of a voxel, metres of the source frame, >= 0; 0 derives it from the target's and the
-  /// known scale, or from the source's own extent where the scale is estimated.
+  /// known scale, or from the source's own extent where the scale is estimated; `register_clouds`
+  /// then from the scale that a first matching gives.
   double source_voxel_size = 0;
   double normal_radius = 2;   ///< voxels, > 0
   double feature_radius = 5;  ///< voxels, >= normal_radius
@@ -55,8 +56,9 @@ struct FrontendOptions {
   double max_ratio = 1;
 
   /// Settings that `register_clouds` may try before it settles for the best result, >= 1. The first
-  /// is the one above; the others change voxel size and sides of the normals, pool the matches of
-  /// two feature radii and, for a small object, turn it all around.
+  /// is the one above; the others take normals from 1.5 times the radius, change voxel size and
+  /// sides of the normals, pool the matches of two feature radii and, for a small object, turn it
+  /// all around.
   int max_attempts = 8;
 
   /// Refinement of the pose of every attempt, and more finely of the one that is returned.
@@ -196,6 +198,11 @@ CloudMatches match_clouds(const PointsRef& source, const PointsRef& target,
 /// of all attempts, their alternatives and the half turns of the best one are refined on the same
 /// voxels and compared by how their surfaces meet; the best is kept, and others that fit about as
 /// well are its `rivals`. A point that fills more than 1 % of a cloud counts once.
+///
+/// Where the scale is estimated, each attempt guesses it from matches at voxels by the clouds' own
+/// extents, and seeks it within a tenth of that from matches at voxels of one size
+/// (`Diagnostics::scale_range`); where `certify` or several hypotheses are asked for, at all
+/// scales.
 /// @param options  for the solver; `noise_bound` 0 takes the bound from the voxel size, and with
 ///   `NoiseMode::Estimated` it comes from the matches of each attempt.
 /// @throws std::invalid_argument as `match_clouds`, and where `options.noise_bounds` is given: the

@@ -11,6 +11,7 @@
 #include "frontend/judgement/verdict.hpp"
 #include "frontend/judgement/view_search.hpp"
 #include "frontend/refine_clouds.hpp"
+#include "frontend/unknown_scale.hpp"
 #include "gmcr/registration.hpp"
 
 namespace gmcr::frontend {
@@ -19,16 +20,8 @@ namespace {
 /// Poses of the matches of an attempt that the surfaces choose from.
 constexpr int kHypotheses = 4;
 
-/// Registers the matches, with the bound that they come with or one from the matches themselves,
-/// which then is theirs.
-Result register_matches(CloudMatches& matches, const Options& options) {
-  if (options.noise_mode == NoiseMode::Given) {
-    return register_correspondences(matches.source, matches.target,
-                                    options_with_bound(options, matches));
-  }
-  Result result = register_correspondences(matches.source, matches.target, options);
-  if (result.noise_estimate) matches.noise_bound = result.noise_estimate->noise_bound;
-  return result;
+bool exceeds_memory(const CloudMatches& matches, const Options& options) {
+  return BitsetGraph::bytes_required(matches.source.cols()) > options.memory_limit;
 }
 
 /// Overlap over that of a pose that matches speak for, above which one that they do not is better.
@@ -66,24 +59,55 @@ Attempts::Attempts(CloudScales& source, CloudScales& target, const FrontendOptio
       deadline_(deadline) {}
 
 std::optional<CloudResult> Attempts::match(const FrontendSetting& setting) {
-  Options remaining = options_;
-  remaining.time_limit = std::max(deadline_.remaining(), parallel::kLeastSeconds);
-  if (refines() && options_.method == Method::Gmcr) {
-    remaining.num_hypotheses = std::max(options_.num_hypotheses, kHypotheses);
-  }
   CloudResult result;
   result.num_source_points = source_.points().cols();
   result.num_target_points = target_.points().cols();
   begin_stage(options_, "matching");
-  result.matches = match_with(source_, target_, frontend_, remaining, setting);
-  const Index num_matches = result.matches.source.cols();
-  if (count_ > 0 && BitsetGraph::bytes_required(num_matches) > options_.memory_limit) {
-    return std::nullopt;
+  const std::optional<double> scale = guessed_scale(setting);
+  Options options = in_time(options_);
+  FrontendOptions frontend = frontend_;
+  if (scale) {
+    options.scale_range = scales_about(*scale, options_);
+    frontend = at_scale(frontend_, *scale, source_, target_);
   }
+  result.matches = match_with(source_, target_, frontend, options, setting);
+  if (count_ > 0 && exceeds_memory(result.matches, options_)) return std::nullopt;
   if (count_ == 0) judge_by_voxels_of(result.matches);
   result.voxels = voxels_;
-  result.registration = register_matches(result.matches, remaining);
+  const bool compares = refines() && options_.method == Method::Gmcr;
+  if (compares && !scale) {
+    options.num_hypotheses = std::max(options_.num_hypotheses, kHypotheses);
+  }
+  result.registration = register_matches(result.matches, options);
+  if (scale && compares) add_poses_at_scale(result, in_time(options_), kHypotheses);
   return result;
+}
+
+Options Attempts::in_time(Options options) const {
+  options.time_limit = std::max(deadline_.remaining(), parallel::kLeastSeconds);
+  return options;
+}
+
+/// Where the scale is narrowed down, that at which most matches of the clouds agree, each at voxels
+/// by its own extent.
+std::optional<double> Attempts::guessed_scale(const FrontendSetting& setting) {
+  if (!narrows_scale(options_)) return std::nullopt;
+  Options options = in_time(options_);
+  CloudResult guess;
+  guess.matches = match_with(source_, target_, frontend_, options, setting);
+  if (exceeds_memory(guess.matches, options_)) return std::nullopt;
+  // a number of inliers closes most scales at once, evidence few; where few agree, the first
+  // attempt goes by evidence, further ones by the number
+  options.evidence = Evidence::Count;
+  guess.registration = register_matches(guess.matches, options);
+  if (count_ == 0 && guess.registration.inliers.size() < kSureOfScale) {
+    add_stages(stages_, guess.registration.diagnostics.stages);
+    options.evidence = options_.evidence;
+    guess.registration = register_matches(guess.matches, options);
+  }
+  note_limits(guess);
+  if (guess.registration.status != Status::Ok) return std::nullopt;
+  return guess.registration.target_from_source.scale;
 }
 
 void Attempts::judge_by_voxels_of(const CloudMatches& matches) {

@@ -53,6 +53,8 @@ class Attempts {
   CloudResult settled();
 
  private:
+  Options in_time(Options options) const;
+  std::optional<double> guessed_scale(const FrontendSetting& setting);
   std::optional<CloudResult> match(const FrontendSetting& setting);
   void judge_by_voxels_of(const CloudMatches& matches);
   Attempt judged(CloudResult result);

@@ -10,6 +10,7 @@ struct FrontendSetting {
   double voxel_factor = 1;  ///< of the voxel size that was asked for or chosen
   NormalOrientation source_side = NormalOrientation::TowardViewpoint;
   NormalOrientation target_side = NormalOrientation::TowardViewpoint;
+  double normal_factor = 1;   ///< of the normal radius, which stays within the feature radius
   bool pools_radii = false;   ///< matches at a wider feature radius too
   bool turns_source = false;  ///< all around, as an object that the target shows
 
@@ -38,6 +39,10 @@ void validate_pair(const PointsRef& source, const PointsRef& target,
 /// `match_clouds` with one setting and arguments that were validated.
 CloudMatches match_with(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,
                         const Options& options, const FrontendSetting& setting);
+
+/// Registers the matches, with the bound that they come with or one from the matches themselves,
+/// which then is theirs.
+Result register_matches(CloudMatches& matches, const Options& options);
 
 /// `match_clouds` of arguments that were validated.
 CloudMatches match_scales(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,

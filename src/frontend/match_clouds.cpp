@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "frontend/cloud_pair.hpp"
+#include "frontend/judgement/judged_pose.hpp"
 #include "frontend/matching/feature_matching.hpp"
+#include "gmcr/registration.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr {
@@ -121,6 +123,8 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
   for (const double factor : {1.0, kWiderFeatures}) {
     FrontendOptions scaled = frontend;
     scaled.feature_radius *= factor;
+    scaled.normal_radius =
+        std::min(setting.normal_factor * frontend.normal_radius, frontend.feature_radius);
     const DescribedCloud from = described(source, setting.source_side, matches.source_voxel_size,
                                           scaled, scaled.source_viewpoint, options, clock);
     const DescribedCloud to = described(target, setting.target_side, matches.target_voxel_size,
@@ -145,6 +149,16 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
   matches.source = matches.source_voxels(Eigen::all, matches.source_indices);
   matches.target = matches.target_voxels(Eigen::all, matches.target_indices);
   return matches;
+}
+
+Result frontend::register_matches(CloudMatches& matches, const Options& options) {
+  if (options.noise_mode == NoiseMode::Given) {
+    return register_correspondences(matches.source, matches.target,
+                                    options_with_bound(options, matches));
+  }
+  Result result = register_correspondences(matches.source, matches.target, options);
+  if (result.noise_estimate) matches.noise_bound = result.noise_estimate->noise_bound;
+  return result;
 }
 
 CloudMatches frontend::match_scales(CloudScales& source, CloudScales& target,

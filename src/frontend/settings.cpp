@@ -3,6 +3,13 @@
 #include "frontend/cloud_pair.hpp"
 
 namespace gmcr::frontend {
+namespace {
+
+/// Normal radius of further attempts over that of the first: sparse or noisy points leave few
+/// neighbours to tell a normal by.
+constexpr double kWiderNormals = 1.5;
+
+}  // namespace
 
 bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpoint) {
   constexpr double kFarthest = 5;  // extents
@@ -16,11 +23,12 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, cons
   // Range images and scans in the sensor's frame first: of 40 real pairs this settles 31. Then a
   // model of a whole object sought in such a scan, more matches of noisy scans on coarser voxels,
   // and models without a viewpoint.
-  const std::vector<FrontendSetting> all = {{1, TowardViewpoint, TowardViewpoint},
-                                            {1, Outward, TowardViewpoint},
-                                            {1.5, TowardViewpoint, TowardViewpoint, true},
-                                            {1, Outward, Outward},
-                                            {1.5, Outward, Outward, true}};
+  const std::vector<FrontendSetting> all = {
+      {1, TowardViewpoint, TowardViewpoint},
+      {1, Outward, TowardViewpoint, kWiderNormals},
+      {1.5, TowardViewpoint, TowardViewpoint, kWiderNormals, true},
+      {1, Outward, Outward, kWiderNormals},
+      {1.5, Outward, Outward, kWiderNormals, true}};
   const bool is_automatic = frontend.orientation == Automatic;
   const bool no_source_view =
       is_automatic && is_viewpoint_unknown(clouds.source, frontend.source_viewpoint);
