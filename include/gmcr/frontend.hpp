@@ -246,7 +246,8 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
 
 /// The result with another pose in place of its own, such as a refined one: inliers, evidence,
 /// covariance, consistent scales, fitness, overlap RMSE and verdict are those of the new pose; the
-/// certificate, which speaks of the matches, and the alternatives stay.
+/// certificate, which speaks of the matches, and the alternatives stay. The covariance is that of
+/// the matches. Of its own pose the result stays as it is.
 /// @param options  that the result was computed with.
 /// @throws std::invalid_argument where the result is of no clouds.
 /// Cost O(N log N).

@@ -15,14 +15,14 @@ constexpr double kMeeting = 0.6;
 using Motion = Eigen::Matrix<double, 6, 1>;  // turn times the lever, shift
 using MotionMatrix = Eigen::Matrix<double, 6, 6>;
 
-struct Counts {
+struct MeetingCounts {
   double near = 0;     ///< samples with a pair
   double meeting = 0;  ///< whose normals agree
   double alike = 0;    ///< closely
 };
 
-Counts count(const PlanePairs& pairs) {
-  Counts counts;
+MeetingCounts count(const PlanePairs& pairs) {
+  MeetingCounts counts;
   for (const PlanePair& pair : pairs.pairs) {
     counts.near += 1;
     counts.meeting += pair.agreement > kMeeting;
@@ -96,7 +96,7 @@ SurfaceFit measure_surfaces(CentredPair& pair, const Similarity& target_from_sou
   };
   PlanePairs forward = pairs_of(true);
   const PlanePairs backward = pairs_of(false);
-  const Counts there = count(forward), back = count(backward);
+  const MeetingCounts there = count(forward), back = count(backward);
   SurfaceFit fit;
   fit.source_share = there.meeting / static_cast<double>(forward.num_sought);
   fit.target_share = back.meeting / static_cast<double>(backward.num_sought);

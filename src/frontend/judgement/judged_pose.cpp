@@ -92,6 +92,8 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options) {
   const auto voxels = frontend::centred_pair(result.voxels);
   if (!voxels) throw std::invalid_argument("result: it has no clouds");
+  const Similarity& own = result.registration.target_from_source;
+  if (target_from_source.matrix() == own.matrix()) return result;
   return frontend::repose(std::move(result), target_from_source, *voxels, options);
 }
 
