@@ -52,6 +52,7 @@ std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, cons
       settings.push_back(setting);
     }
   }
+  settings.front().normal_factor = 1;  // what a prepared cloud holds, whichever side was asked for
   const auto count = std::min(settings.size(), static_cast<std::size_t>(frontend.max_attempts));
   settings.resize(count);
   return settings;
