@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "estimation/covariance.hpp"
+#include "frontend/alignment/align.hpp"
 #include "frontend/alignment/plane_metric.hpp"
 #include "frontend/alignment/surface_fit.hpp"
 
