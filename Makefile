@@ -33,7 +33,7 @@ test: build/.packages-test
 	@cmake --build --preset release
 	@ctest --preset release -j2
 	@tools/make_venv
-	@build/venv/bin/python -m pytest -q tests/python
+	@build/venv/bin/python -m pytest -q -n 2 tests/python
 
 # clang-format, headers alone, ruff, mypy, clang-tidy, or those of them that GATES names
 lint: build/.packages-test build/.packages-bench

@@ -12,7 +12,8 @@ namespace {
 
 /// Candidates among which a greedy clique looks for the one with most neighbours.
 constexpr Index kMaxCandidates = 256;
-/// Correspondences within so many bounds of the best pose lead to no other: no clique starts there.
+/// Correspondences within so many bounds of a pose lead to no other: no clique starts at those of
+/// the best one, and an alternative is sought without those of the poses that are known.
 constexpr double kExplained = 3;
 /// A clique with less than this part of the best evidence is no rival.
 constexpr double kLeastPart = 0.5;
@@ -71,7 +72,9 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales,
   search.problem().filter().apply(range.graph, scales, search.run().options().num_threads,
                                   graph_deadline(search));
   for (const problem::Hypothesis& known : search.left_out()) {
-    for (const Index i : known.inliers) isolate(range.graph, i);
+    for (const Index i : search.problem().objective().within(known.pose, kExplained)) {
+      isolate(range.graph, i);
+    }
   }
   return range;
 }

@@ -6,10 +6,21 @@
 #include "estimation/constrained_fit.hpp"
 
 namespace gmcr::search {
+namespace {
+
+/// Part of the evidence of the best pose that an alternative has at least. Where much speaks for
+/// the best one, most of the time would go into telling apart what chance gives beside it.
+constexpr double kLeastAlternative = 0.25;
+
+}  // namespace
 
 PoseSearch::PoseSearch(const problem::Problem& problem, problem::Run& run,
                        std::vector<problem::Hypothesis> left_out)
-    : problem_(problem), run_(run), left_out_(std::move(left_out)) {}
+    : problem_(problem), run_(run), left_out_(std::move(left_out)) {
+  if (left_out_.empty()) return;
+  least_evidence_ = kLeastAlternative * left_out_.front().evidence;
+  most_.inliers = most_.evidence = least_evidence_;
+}
 
 void PoseSearch::try_clique(const std::vector<Index>& clique) {
   const StageTimer timer(run_, "pose");
@@ -63,6 +74,7 @@ void PoseSearch::offer(problem::Hypothesis pose) {
 }
 
 void PoseSearch::note(const problem::Hypothesis& reached) {
+  if (reached.evidence < least_evidence_) return;
   const std::vector<Index> members = problem_.filter().one_to_one(reached.inliers);
   most_.inliers = std::max(most_.inliers, static_cast<double>(members.size()));
   most_.evidence =

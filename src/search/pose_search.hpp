@@ -22,8 +22,9 @@ using problem::StageTimer;
 class PoseSearch {
  public:
   /// Keeps the references.
-  /// @param left_out  hypotheses that are known: their inliers are left out of the graphs, and
-  ///   poses that share most of their inliers with one of them are not looked for.
+  /// @param left_out  hypotheses that are known, the best first: what they explain is left out of
+  ///   the graphs, and neither poses that share most of their inliers with one of them are looked
+  ///   for nor such as have too little of the evidence of the best to be an alternative to it.
   PoseSearch(const problem::Problem& problem, problem::Run& run,
              std::vector<problem::Hypothesis> left_out = {});
 
@@ -51,7 +52,8 @@ class PoseSearch {
   std::vector<Index> near_best(double factor) const;
 
   /// The most that any pose examined has, of inliers of which no two share a point where
-  /// one-to-one is asked for; the best one may have fewer, of more distinct evidence.
+  /// one-to-one is asked for, or that an alternative needs; the best one may have fewer, of more
+  /// distinct evidence.
   double to_beat(Measure measure) const { return most_.of(measure); }
 
   /// Notes why a bound on the measure may be loose.
@@ -71,6 +73,7 @@ class PoseSearch {
   std::vector<problem::Hypothesis> left_out_;
   std::optional<problem::Hypothesis> best_;
   int num_in_vain_ = 0;                    ///< poses near the best one that were no better
+  double least_evidence_ = 0;              ///< of a pose that is looked for
   PerMeasure most_;                        ///< of all poses examined
   std::set<std::vector<Index>> examined_;  ///< cliques
   std::set<std::vector<Index>> reached_;   ///< consensus sets

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "frontend/alignment/surface_cloud.hpp"
@@ -55,6 +56,16 @@ TEST(CellOrder, HoldsWhere64BitsDoNotNumberTheCells) {
   expect_ordered(points, 1e-3);
 }
 
+/// Ascending.
+std::vector<Index> points_of(const PointGrid& grid, std::span<const kernels::PointRun> runs) {
+  std::vector<Index> points;
+  for (const kernels::PointRun& run : runs) {
+    for (std::int32_t slot = run.begin; slot < run.end; ++slot) points.push_back(grid.point(slot));
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
 TEST(PointGrid, RunsHoldWhatIsWithinReach) {
   Points points = random_points(500, 3);
   points.col(9) = Eigen::Vector3d(1e12, 0, 0);
@@ -63,18 +74,37 @@ TEST(PointGrid, RunsHoldWhatIsWithinReach) {
   const Points queries = random_points(300, 4);
   for (Index q = 0; q < queries.cols(); ++q) {
     const Eigen::Vector3d query = 1.2 * queries.col(q);  // some beyond the points
-    std::vector<Index> in_runs;
-    for (const kernels::PointRun& run : grid.runs_about(query.data())) {
-      for (std::int32_t slot = run.begin; slot < run.end; ++slot) {
-        in_runs.push_back(grid.point(slot));
-      }
-    }
-    std::sort(in_runs.begin(), in_runs.end());
+    const std::vector<Index> in_runs = points_of(grid, grid.runs_about(query.data()));
     EXPECT_EQ(std::adjacent_find(in_runs.begin(), in_runs.end()), in_runs.end());
     for (Index i = 0; i < points.cols(); ++i) {
       if ((points.col(i) - query).norm() > reach) continue;
       EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));
     }
+  }
+}
+
+TEST(PointGrid, RunsThatARadiusMeetsHoldWhatIsWithinIt) {
+  const double reach = 0.15;
+  for (const double far : {0.0, 1e3}) {  // a stray point puts the cells far from the first one
+    Points points = random_points(500, 3);
+    points.col(9) = Eigen::Vector3d(-far, -far, -far);
+    const PointGrid grid(points, reach);
+    const Points queries = random_points(300, 4);
+    std::size_t num_left_out = 0;
+    for (const double radius : {reach, 0.5 * reach, 0.01 * reach}) {
+      for (Index q = 0; q < queries.cols(); ++q) {
+        const Eigen::Vector3d query = 1.2 * queries.col(q);
+        PointGrid::Runs room;
+        const auto within = grid.runs_within(query.data(), radius, room);
+        const std::vector<Index> in_runs = points_of(grid, within);
+        num_left_out += points_of(grid, grid.runs_about(query.data())).size() - in_runs.size();
+        for (Index i = 0; i < points.cols(); ++i) {
+          if ((points.col(i) - query).norm() > radius) continue;
+          EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));
+        }
+      }
+    }
+    EXPECT_GT(num_left_out, 100u);
   }
 }
 

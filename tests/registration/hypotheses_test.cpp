@@ -176,6 +176,20 @@ TEST(Hypotheses, OfAUniqueObjectAreFarBehind) {
   }
 }
 
+TEST(Hypotheses, HaveAQuarterOfTheEvidenceOfTheBestAtLeast) {
+  for (const Index count : {9, 11}) {
+    Problem problem = random_problem(3, 40 + count, 0);
+    problem.target = problem.truth.apply(problem.source);
+    problem.target.rightCols(count).colwise() += Eigen::Vector3d(5, 0, 0);
+    Options options = problem.options();
+    options.evidence = Evidence::Count;
+    options.num_hypotheses = 2;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    EXPECT_EQ(result.inliers.size(), 40u);
+    EXPECT_EQ(result.alternatives.size(), count < 10 ? 0u : 1u);
+  }
+}
+
 TEST(Hypotheses, OfTooFewCorrespondencesAreNone) {
   for (Index count = 0; count <= 3; ++count) {
     const Problem problem = random_problem(1, count, 0);

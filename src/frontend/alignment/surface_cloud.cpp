@@ -21,6 +21,9 @@ constexpr double kLineTolerance = 1e-6;
 /// about 28 points.
 constexpr double kReach = 3.05;
 
+/// Share of the reach within which kPlanePoints mostly are, sought first.
+constexpr double kFirstShare = 0.67;
+
 /// Queries of a thread at a time: fewer take less time than to wake one.
 constexpr Index kNormalGrain = 1024;
 /// How much farther each grid reaches than the one before, for points that have few nearby.
@@ -47,10 +50,11 @@ std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius
       std::nextafter(radius * radius, std::numeric_limits<double>::infinity());
   std::vector<Index> found(static_cast<std::size_t>(queries.cols()), -1);
   parallel::parallel_for(queries.cols(), kNormalGrain, num_threads, [&](Index begin, Index end) {
+    PointGrid::Runs runs;
     for (Index i = begin; i < end; ++i) {
       const double* query = queries.col(i).data();
-      const kernels::NearestPoint nearest =
-          kernels::nearest_point(columns, grid.runs_about(query), query, squared_radius);
+      const kernels::NearestPoint nearest = kernels::nearest_point(
+          columns, grid.runs_within(query, radius, runs), query, squared_radius);
       if (nearest.index >= 0) found[static_cast<std::size_t>(i)] = grid.point(nearest.index);
     }
   });
@@ -84,20 +88,27 @@ void SurfaceCloud::require_normals(const std::vector<Index>& columns, int num_th
   }
 }
 
-std::optional<Eigen::Vector3d> SurfaceCloud::estimate_normal(const PointGrid& grid, Index i,
-                                                             Found& found) const {
+std::size_t SurfaceCloud::find_near(const PointGrid& grid, Index i, double radius,
+                                    Found& found) const {
   const double* query = points_.col(i).data();
-  const auto runs = grid.runs_about(query);
+  PointGrid::Runs within;
+  const auto runs = grid.runs_within(query, radius, within);
   const auto room =
       static_cast<std::size_t>(PointGrid::num_points(runs) + kernels::NearPoints::kSlack);
   if (room > found.slots.size()) {
     found.slots.resize(room);
     found.squared_distances.resize(room);
   }
-  const auto count = static_cast<std::size_t>(
-      kernels::near_points(grid.columns(), runs, query, grid.reach() * grid.reach(),
+  return static_cast<std::size_t>(
+      kernels::near_points(grid.columns(), runs, query, radius * radius,
                            {found.slots.data(), found.squared_distances.data()}));
+}
+
+std::optional<Eigen::Vector3d> SurfaceCloud::estimate_normal(const PointGrid& grid, Index i,
+                                                             Found& found) const {
   const auto wanted = std::min(kPlanePoints, static_cast<std::size_t>(size()));
+  std::size_t count = find_near(grid, i, kFirstShare * grid.reach(), found);
+  if (count < wanted) count = find_near(grid, i, grid.reach(), found);
   if (count < wanted) return std::nullopt;
   if (wanted < 3) return Eigen::Vector3d::Zero();
   // the nearest so far, in order; of those that tie the first found

@@ -46,6 +46,9 @@ class SurfaceCloud {
     std::vector<double> squared_distances;
   };
 
+  /// Finds the points of a grid within a radius of one of them; how many.
+  std::size_t find_near(const PointGrid& grid, Index i, double radius, Found& found) const;
+
   /// The normal from the nearest points within the reach of a grid; nullopt where these are few.
   std::optional<Eigen::Vector3d> estimate_normal(const PointGrid& grid, Index i,
                                                  Found& found) const;

@@ -11,6 +11,8 @@ namespace {
 
 /// Cells are wider than the reach by more than what rounding moves a point.
 constexpr double kMargin = 1 + 1e-6;
+/// The same, in cells, of a position that is fewer than so many cells off.
+constexpr double kPlaceMargin = 1e-9, kExactCells = 1e6;
 /// Number of the last cell: what lies beyond shares it.
 constexpr double kMostCells = 0x1p62;
 
@@ -96,6 +98,26 @@ std::span<const kernels::PointRun> PointGrid::runs_about(const double* position)
   const Entry& entry = table_[slot_of(cell_at(position))];
   if (entry.runs < 0) return {};
   return runs_[static_cast<std::size_t>(entry.runs)];
+}
+
+std::span<const kernels::PointRun> PointGrid::runs_within(const double* position, double radius,
+                                                          Runs& room) const {
+  const std::span<const kernels::PointRun> about = runs_about(position);
+  // squared distances, in cells, to the columns before, at and after the own one, along x and y
+  std::array<std::array<double, 3>, 2> gaps{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double place = (position[axis] - origin_[static_cast<Index>(axis)]) / edge_;
+    if (!(std::abs(place) < kExactCells)) return about;
+    const double inside = place - std::floor(place);
+    gaps[axis] = {inside * inside, 0, (1 - inside) * (1 - inside)};
+  }
+  const double reached = radius / reach_ + kPlaceMargin;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < about.size(); ++k) {
+    if (about[k].begin == about[k].end) continue;
+    if (gaps[0][k / 3] + gaps[1][k % 3] <= reached * reached) room[count++] = about[k];
+  }
+  return {room.data(), count};
 }
 
 Index PointGrid::num_points(std::span<const kernels::PointRun> runs) {

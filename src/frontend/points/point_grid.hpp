@@ -23,8 +23,16 @@ class PointGrid {
 
   double reach() const { return reach_; }
 
+  /// The 3 x 3 columns of cells about one; in each, three cells that follow one another.
+  using Runs = std::array<kernels::PointRun, 9>;
+
   /// Runs of slots with all points nearer than the reach to a position, and others; ascending.
   std::span<const kernels::PointRun> runs_about(const double* position) const;
+
+  /// The same for a radius up to the reach: those of them that it meets.
+  /// @param room  for the runs that are returned.
+  std::span<const kernels::PointRun> runs_within(const double* position, double radius,
+                                                 Runs& room) const;
 
   /// How many points these have.
   static Index num_points(std::span<const kernels::PointRun> runs);
@@ -38,8 +46,6 @@ class PointGrid {
 
  private:
   using Cell = std::array<std::int64_t, 3>;
-  /// The 3 x 3 columns of cells about one; in each, three cells that follow one another.
-  using Runs = std::array<kernels::PointRun, 9>;
   struct Entry {
     Cell cell{};
     std::int32_t runs = -1;  ///< -1: free
