@@ -218,7 +218,7 @@ def compose(records: Records) -> str:
     """The page."""
     experiments = "The paper's experiments"
     machine = records.sentence(experiments, r"Recorded on [\d-]+ by `make bench-paper`")
-    computer = records.sentence(experiments, r"(?<=\), )[^;]+ cores, Python [\d.]+")
+    computer = records.sentence(experiments, r"(?<=\), )[^,;]+, \w+, \d+ cores, Python [\d.]+")
     return f"""# Benchmarks on one screen
 
 Written by `bench/summary.py` from the recorded tables of [docs/benchmarks.md](docs/benchmarks.md);

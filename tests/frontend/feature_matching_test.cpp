@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace gmcr::frontend {
 namespace {
@@ -143,6 +147,77 @@ TEST(FeatureMatching, DoesNotDependOnTheNumberOfThreads) {
   for (const int threads : {2, 5}) {
     EXPECT_EQ(as_pairs(match_features(source, target, {true, 1, threads}).pairs), one);
   }
+}
+
+TEST(FeaturesInPlaces, OfFewFeaturesAgreeWithBruteForce) {
+  // so few that each source is compared with all places
+  for (const Index n : {1, 2, 7, 40}) {
+    const Features source = random_features(n, 1, 3), target = random_features(n + 5, 2, 3);
+    for (const bool mutual : {false, true}) {
+      for (const float ratio : {1.0f, 0.95f}) {
+        MatchingOptions options{mutual, ratio, 0};
+        options.most_pairs = 0;
+        EXPECT_EQ(as_pairs(match_features(source, target, options).pairs),
+                  oracle(source, target, options))
+            << n << ' ' << mutual << ' ' << ratio;
+      }
+    }
+  }
+}
+
+/// Histograms of a family with few parameters, as those of surfaces, and others beside each.
+struct SimilarFeatures {
+  Features source, target;
+
+  explicit SimilarFeatures(Index count) : source(kFpfhBins, count), target(kFpfhBins, count) {
+    std::mt19937 generator(9);
+    std::uniform_real_distribution<float> place(0, 1), noise(-1, 1);
+    for (Index i = 0; i < count; ++i) {
+      const float a = 3 + 27 * place(generator), b = 2 + 6 * place(generator);
+      for (Index bin = 0; bin < kFpfhBins; ++bin) {
+        const float offset = (static_cast<float>(bin) - a) / b;
+        source(bin, i) = 60 * std::exp(-offset * offset) + 2 + noise(generator);
+        target(bin, i) = source(bin, i) + noise(generator);
+      }
+    }
+  }
+};
+
+TEST(FeaturesInPlaces, KeepNearlyAllMatchesThatAllWithAllFinds) {
+  const SimilarFeatures features(6000);
+  MatchingOptions all{true, 1, 0}, in_places = all;
+  in_places.most_pairs = 0;
+  const auto right = [&](const MatchingOptions& options) {
+    const FeatureMatches matches = match_features(features.source, features.target, options);
+    EXPECT_EQ(matches.share_compared, 1);
+    return std::count_if(matches.pairs.begin(), matches.pairs.end(),
+                         [](const FeatureMatch& match) { return match.source == match.target; });
+  };
+  const auto by_all = right(all), by_places = right(in_places);
+  EXPECT_GT(by_all, 3000);
+  EXPECT_GE(static_cast<double>(by_places), 0.99 * static_cast<double>(by_all));
+}
+
+TEST(FeaturesInPlaces, DoNotDependOnTheNumberOfThreads) {
+  const SimilarFeatures features(2000);
+  const auto with = [&](int threads) {
+    MatchingOptions options{true, 0.99f, threads};
+    options.most_pairs = 0;
+    return as_pairs(match_features(features.source, features.target, options).pairs);
+  };
+  const Pairs one = with(1);
+  EXPECT_FALSE(one.empty());
+  for (const int threads : {2, 5}) EXPECT_EQ(with(threads), one);
+}
+
+TEST(FeaturesInPlaces, EndWithTheDeadline) {
+  const SimilarFeatures features(2000);
+  MatchingOptions options;
+  options.most_pairs = 0;
+  options.deadline = parallel::Deadline(0);
+  const FeatureMatches none = match_features(features.source, features.target, options);
+  EXPECT_TRUE(none.pairs.empty());
+  EXPECT_EQ(none.share_compared, 0);
 }
 
 TEST(MatchFeatures, EndWithTheDeadlineAndSayHowFarTheyCame) {

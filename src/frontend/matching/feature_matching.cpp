@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "frontend/matching/admitted_comparison.hpp"
+#include "frontend/matching/indexed_comparison.hpp"
 #include "kernels/nearest_features.hpp"
 #include "parallel/parallel_for.hpp"
 
@@ -34,20 +36,14 @@ IntegerFeatures as_integers(const Features& features, double resolution) {
   return {features.data(), features.rows(), features.cols(), resolution};
 }
 
-struct NearestBothWays {
-  std::vector<NearestFeature> of_source;  ///< index -1: not compared; or `kNoPartner`
-  NearestSources of_target;
-};
-
-NearestBothWays find_nearest(const Compacted& from, const Compacted& to,
-                             const MatchingOptions& options) {
+/// The nearest of all, or of those that the priors admit; `kNoPartner` where they admit none.
+NearestBothWays nearest_of_all(const Compacted& from, const Compacted& to, double resolution,
+                               const MatchingOptions& options) {
   const Features &source = from.features, &target = to.features;
-  const double resolution = IntegerFeatures::resolution_for(static_cast<double>(std::max(
-      source.colwise().squaredNorm().maxCoeff(), target.colwise().squaredNorm().maxCoeff())));
   const IntegerFeatures sources = as_integers(source, resolution);
   const IntegerFeatures targets = as_integers(target, resolution);
-  NearestBothWays nearest{std::vector<NearestFeature>(static_cast<std::size_t>(source.cols())),
-                          NearestSources(targets)};
+  NearestBothWays nearest;
+  nearest.of_source.resize(static_cast<std::size_t>(source.cols()));
 
   std::optional<AdmittedComparison> admitted;
   if (options.priors) {
@@ -72,14 +68,28 @@ NearestBothWays find_nearest(const Compacted& from, const Compacted& to,
       }
     }
   });
+  NearestSources of_targets(targets);
   for (const NearestSources& of_block : of_blocks) {
     for (std::size_t j = 0; j < of_block.indices.size(); ++j) {
-      if (of_block.squared_distances[j] >= nearest.of_target.squared_distances[j]) continue;
-      nearest.of_target.squared_distances[j] = of_block.squared_distances[j];
-      nearest.of_target.indices[j] = of_block.indices[j];
+      if (of_block.squared_distances[j] >= of_targets.squared_distances[j]) continue;
+      of_targets.squared_distances[j] = of_block.squared_distances[j];
+      of_targets.indices[j] = of_block.indices[j];
     }
   }
+  nearest.of_target = std::move(of_targets.indices);
   return nearest;
+}
+
+NearestBothWays find_nearest(const Compacted& from, const Compacted& to,
+                             const MatchingOptions& options) {
+  const Features &source = from.features, &target = to.features;
+  const double resolution = IntegerFeatures::resolution_for(static_cast<double>(std::max(
+      source.colwise().squaredNorm().maxCoeff(), target.colwise().squaredNorm().maxCoeff())));
+  const auto num_pairs = static_cast<double>(source.cols()) * static_cast<double>(target.cols());
+  if (!options.priors && num_pairs > options.most_pairs) {
+    return nearest_in_places(source, target, resolution, options.num_threads, options.deadline);
+  }
+  return nearest_of_all(from, to, resolution, options);
 }
 
 /// Whether the nearest is clearly nearer than the second nearest, if there is one.
@@ -112,7 +122,7 @@ FeatureMatches match_features(const Features& source, const Features& target,
     const NearestFeature& best = nearest.of_source[i];
     if (best.index < 0) continue;
     const auto j = static_cast<std::size_t>(best.index);
-    if (options.mutual && nearest.of_target.indices[j] != static_cast<Index>(i)) continue;
+    if (options.mutual && nearest.of_target[j] != static_cast<Index>(i)) continue;
     if (options.max_ratio < 1 && !is_clear(best, squared_ratio)) continue;
     if (options.one_to_one && closest[j].index != static_cast<Index>(i)) continue;
     matches.pairs.push_back({sources.columns[i], targets.columns[j]});

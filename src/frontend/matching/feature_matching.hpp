@@ -17,6 +17,8 @@ struct MatchingOptions {
   bool one_to_one = false;  ///< of the matches of a target, the closest only
   parallel::Deadline deadline = parallel::Deadline::never();  ///< ends the search where it is
   const MatchPriors* priors = nullptr;  ///< of the same columns; null: any two may match
+  /// More pairs than that take longer than an index that leaves most of them out (decision 55).
+  double most_pairs = 1e9;
 };
 
 struct FeatureMatch {
@@ -36,10 +38,10 @@ struct FeatureMatches {
 /// and match nothing.
 ///
 /// Compares all with all: in 33 dimensions a k-d tree visits most of the points anyway, and the
-/// loop runs at the speed of the vector units (`kernels::nearest_features`). With priors it
-/// compares those that they admit.
+/// loop runs at the speed of the vector units (`kernels::nearest_features`). Above `most_pairs` it
+/// compares those in like places (`nearest_in_places`), with priors those that they admit.
 /// @return in ascending order of the source; where the deadline ended the search, of a part of it.
-/// Cost O(N M). Deterministic for any thread count.
+/// Cost O(N M), or O((N + M) sqrt(M)). Deterministic for any thread count.
 FeatureMatches match_features(const Features& source, const Features& target,
                               const MatchingOptions& options);
 
