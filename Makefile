@@ -30,7 +30,8 @@ demo: build/.packages-run
 
 test: build/.packages-test
 	@$(call configure,release)
-	@cmake --build --preset release
+	@tools/make_venv requirements >build/venv.log 2>&1 & requirements=$$!; cmake --build --preset release || exit 1; \
+	  wait $$requirements || { cat build/venv.log; exit 1; }
 	@ctest --preset release -j2
 	@tools/make_venv
 	@build/venv/bin/python -m pytest -q -n 2 tests/python
