@@ -21,6 +21,16 @@ install(FILES ${PROJECT_BINARY_DIR}/gmcr-config.cmake
               ${PROJECT_SOURCE_DIR}/cmake/gmcr-dependencies.cmake
         DESTINATION ${package_dir} COMPONENT development)
 
+# the notices that whoever passes the library or the tool on passes on too, each in the folder of its Debian package
+foreach(notices IN ITEMS library:libgmcr${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} development:libgmcr-dev
+        tool:gmcr)
+  string(REPLACE ":" ";" notices ${notices})
+  list(GET notices 0 component)
+  list(GET notices 1 folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md
+          DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${folder} COMPONENT ${component})
+endforeach()
+
 # gmcr_pkg_config(NAME DESCRIPTION [REQUIRES packages...] [PRIVATE packages...] [LIBS flags...]): NAME.pc. What is
 # private matters to whoever links a static library, so there it is required like the rest.
 function(gmcr_pkg_config name description)

@@ -93,4 +93,8 @@ std::string to_html(const std::vector<ReportLine>& lines);
 /// "1.23 ms", "45.6 s".
 std::string duration(double seconds);
 
+/// A stage of the diagnostics in words, "votes for scales" for "scale_votes"; one that needs none
+/// is called by its name.
+std::string stage_in_words(std::string_view stage);
+
 }  // namespace gmcr

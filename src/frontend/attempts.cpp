@@ -290,9 +290,10 @@ CloudResult Attempts::settled() {
       result = settle(std::move(result), source_.points(), target_.points(), *pair_, best_.matched,
                       options_, deadline_);
     }
-    // those that the caller asked for
+    // those that the caller asked for; poses of matches are none to one that they did not find
     auto& alternatives = result.registration.alternatives;
-    const auto asked = static_cast<std::size_t>(options_.num_hypotheses - 1);
+    const auto asked =
+        result.found_by_turning ? 0 : static_cast<std::size_t>(options_.num_hypotheses - 1);
     alternatives.resize(std::min(alternatives.size(), asked));
   }
   auto& limits_hit = result.registration.diagnostics.limits_hit;

@@ -26,9 +26,15 @@ std::string note_on(const CloudResult& result, const Similarity& matched) {
     return "ICP changed nothing: the surfaces meet best where the matches put them";
   }
   std::ostringstream note;
-  note << std::setprecision(3) << "ICP turned the pose by "
-       << rotation_error_deg(result.registration.target_from_source.rotation, matched.rotation)
-       << " deg; the surfaces meet to " << result.refinement.noise << " m";
+  note << std::setprecision(3);
+  if (result.found_by_turning) {
+    note << "the source was turned all around, then refined by ICP";
+  } else {
+    note << "ICP turned the pose by "
+         << rotation_error_deg(result.registration.target_from_source.rotation, matched.rotation)
+         << " deg";
+  }
+  note << "; the surfaces meet to " << result.refinement.noise << " m";
   return note.str();
 }
 

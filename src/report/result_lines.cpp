@@ -102,7 +102,7 @@ void add_certificate(Lines& lines, const Result& result, const Options* options)
   }
   if (certificate.lower != static_cast<Index>(result.inliers.size())) {
     lines.add_more(
-        fmt::format("{} are held by the pose that was found to hold the most", certificate.lower));
+        fmt::format("another pose holds {}, but is less likely", certificate.lower));
   }
 }
 
@@ -132,10 +132,15 @@ void add_alternatives(Lines& lines, const Result& result) {
   std::string label = "alternatives";
   for (const Alternative& alternative : result.alternatives) {
     const Similarity& pose = alternative.target_from_source;
+    // where surfaces chose the pose, matches may speak more for another one
+    const std::string evidence =
+        alternative.evidence <= result.evidence
+            ? fmt::format("{:.0f} % of the evidence", 100 * alternative.evidence / result.evidence)
+            : fmt::format("evidence of {:.1f} against {:.1f}", alternative.evidence,
+                          result.evidence);
     std::string text =
-        fmt::format("{:.0f} % of the evidence, {} inliers: {:.3g} deg and {:.3g} m away",
-                    100 * alternative.evidence / result.evidence, alternative.inliers.size(),
-                    rotation_error_deg(pose.rotation, best.rotation),
+        fmt::format("{}, {} inliers: {:.3g} deg and {:.3g} m away", evidence,
+                    alternative.inliers.size(), rotation_error_deg(pose.rotation, best.rotation),
                     translation_error(pose.translation, best.translation));
     if (pose.scale != best.scale) text += fmt::format(", scale {:.4g}", pose.scale);
     lines.add(label, text);
@@ -180,7 +185,8 @@ void add_work(Lines& lines, const Diagnostics& diagnostics, Detail detail,
   lines.add("time", fmt::format("{} with {} threads", duration(seconds), diagnostics.num_threads));
   if (detail == Detail::Full) {
     for (const StageTime& stage : diagnostics.stages) {
-      lines.add_more(fmt::format("{:<22} {:>9}", stage.name, duration(stage.seconds)));
+      lines.add_more(
+          fmt::format("{:<22} {:>9}", stage_in_words(stage.name), duration(stage.seconds)));
     }
   }
   add_limits(lines, diagnostics, context.options);

@@ -150,6 +150,12 @@ TEST(Verdict, AsksForTwiceAsManyOfMatchesAtTwoRadii) {
 
 TEST(Verdict, DoubtsWithoutMatchesWhatTurningFound) {
   EXPECT_EQ(verdict_on(3, 1, true), Verdict::Doubtful);
+  const auto [verdict, reason] = verdict_after([](auto& r) {
+    r.registration.inliers.resize(3);
+    r.found_by_turning = true;
+  });
+  EXPECT_NE(reason.find("found by its surface"), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("matches agree"), std::string::npos) << reason;
   EXPECT_EQ(verdict_on(3, 1, false), Verdict::Untrusted);
 }
 

@@ -30,6 +30,10 @@ def commands() -> list[str]:
     return [line.partition("  #")[0].strip() for line in lines if line and line[0] != "#"]
 
 
+def numbers(line: str) -> list[float]:
+    return [float(number) for number in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", line)]
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """As a clone after `make demo`, with the tool of this package and the demo's scans."""
@@ -84,9 +88,10 @@ def test_the_first_thing_is_what_the_tool_prints(folder: Path) -> None:
     assert sample[0].startswith("$ gmcr register ")
     done = run(sample[0].removeprefix("$ "), folder)
     assert done.returncode == 0, done.stderr
-    printed = {line[:13] for line in done.stdout.splitlines()}
-    for line in sample[1:]:  # whose numbers are those of one version
+    printed = {line[:13]: line for line in done.stdout.splitlines() if line[:1] != " "}
+    for line in sample[1:]:
         assert line[:13] in printed, line
+        assert numbers(line) == pytest.approx(numbers(printed[line[:13]]), rel=0.01), line
 
 
 @pytest.mark.parametrize("code", blocks("python"))

@@ -31,9 +31,9 @@ TEST(Report, SaysAllThatTheToolPrints) {
         "rotation      90.000 deg about (0.0000, 0.0000, 1.0000)\n",
         "translation   (1, 2, 3) m, length 3.74166 m\n", "inliers       3 of 10 (30.0 %)\n",
         "used          9 of 10 (90.0 %), those that the priors admit\n",
-        "              4 are held by the pose that was found to hold the most\n",
+        "              another pose holds 4, but is less likely\n",
         "evidence      3.2, at most 4.5 possible\n", "time          2.00 s with 14 threads\n",
-        "              graph                  250.00 ms\n",
+        "              consistency graph      250.00 ms\n",
         "limit         the time budget ended the search\n",
         "verdict       trusted: chance would give this once in 10^9\n"}) {
     EXPECT_TRUE(says(text, line));

@@ -5,8 +5,8 @@
 
 #include <chrono>
 #include <string>
-#include <utility>
 
+#include "gmcr/report.hpp"
 #include "output/stderr_text.hpp"
 #include "output/stopwatch.hpp"
 #include "output/terminal.hpp"
@@ -17,24 +17,6 @@ namespace {
 constexpr double kFirst = 1;  // seconds
 constexpr double kTerminalPeriod = 0.2;
 constexpr double kLogPeriod = 10;
-
-/// What goes on, for people; a stage is called by its name otherwise.
-std::string words_of(const std::string& stage) {
-  constexpr std::pair<const char*, const char*> kWords[] = {{"scale_votes", "votes for scales"},
-                                                            {"graph", "consistency graph"},
-                                                            {"clique", "clique search"},
-                                                            {"pose", "judging poses"},
-                                                            {"certify", "proof"},
-                                                            {"consensus_sets", "consensus sets"},
-                                                            {"comparison", "comparing surfaces"},
-                                                            {"evidence", "distinct evidence"},
-                                                            {"noise", "choosing the noise bound"},
-                                                            {"start", "starting"}};
-  for (const auto& [name, words] : kWords) {
-    if (stage == name) return words;
-  }
-  return stage;
-}
 
 }  // namespace
 
@@ -76,8 +58,9 @@ void ProgressLine::run() {
 void ProgressLine::print(double seconds) const {
   const std::string share =
       progress_.fraction > 0 ? fmt::format(" {:.0f} %", 100 * progress_.fraction) : "";
-  print_to_stderr(fmt::format("{}{}{} ({:.0f} s){}", is_terminal_ ? "\r\033[K" : "gmcr: ",
-                              words_of(progress_.stage), share, seconds, is_terminal_ ? "" : "\n"));
+  print_to_stderr(fmt::format("{}{}{} ({:.0f} s){}",
+                              is_terminal_ ? "\r\033[K" : "gmcr: ", stage_in_words(progress_.stage),
+                              share, seconds, is_terminal_ ? "" : "\n"));
 }
 
 }  // namespace gmcr::cli

@@ -34,9 +34,9 @@ std::string words_of(const WeakDirection& direction) {
   const bool is_turn = !direction.turn.isZero(0);
   const Eigen::Vector3d& axis = is_turn ? direction.turn : direction.shift;
   std::ostringstream words;
-  words.precision(2);
-  words << (is_turn ? "a turn about (" : "a shift along (") << axis.x() << ", " << axis.y() << ", "
-        << axis.z() << ")";
+  const auto rounded = [](double value) { return std::round(100 * value) / 100 + 0.0; };  // no -0
+  words << (is_turn ? "a turn about (" : "a shift along (") << rounded(axis.x()) << ", "
+        << rounded(axis.y()) << ", " << rounded(axis.z()) << ")";
   return words.str();
 }
 
@@ -72,6 +72,9 @@ Opinion by_matches(const CloudResult& result) {
   const bool is_chance = all_matches || num_inliers < (are_pooled ? kChancePooled : kChanceInliers);
   if (is_chance && !(may_be_covered && coverage >= kPlausibleCoverage)) {
     return {Verdict::Untrusted, count + " and " + meet + ", which chance explains"};
+  }
+  if (result.found_by_turning && num_inliers < least) {
+    return {Verdict::Doubtful, "found by its surface, not by matches: " + meet};
   }
   if (all_matches || num_inliers < least || result.distinct_evidence < kTrustedEvidence ||
       coverage < kLeastCoverage) {
