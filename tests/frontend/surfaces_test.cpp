@@ -150,10 +150,11 @@ TEST(Verdict, AsksForTwiceAsManyOfMatchesAtTwoRadii) {
 
 TEST(Verdict, DoubtsWithoutMatchesWhatTurningFound) {
   EXPECT_EQ(verdict_on(3, 1, true), Verdict::Doubtful);
-  const auto [verdict, reason] = verdict_after([](auto& r) {
-    r.registration.inliers.resize(3);
-    r.found_by_turning = true;
-  });
+  CloudResult turned = good_result();
+  turned.registration.inliers.resize(3);
+  turned.found_by_turning = true;
+  judge(turned);
+  const std::string& reason = turned.verdict_reason;
   EXPECT_NE(reason.find("found by its surface"), std::string::npos) << reason;
   EXPECT_EQ(reason.find("matches agree"), std::string::npos) << reason;
   EXPECT_EQ(verdict_on(3, 1, false), Verdict::Untrusted);
