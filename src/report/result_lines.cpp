@@ -101,8 +101,7 @@ void add_certificate(Lines& lines, const Result& result, const Options* options)
         Tone::Fair);
   }
   if (certificate.lower != static_cast<Index>(result.inliers.size())) {
-    lines.add_more(
-        fmt::format("another pose holds {}, but is less likely", certificate.lower));
+    lines.add_more(fmt::format("another pose holds {}, but is less likely", certificate.lower));
   }
 }
 
