@@ -83,8 +83,8 @@ struct Options : Priors {
   bool one_to_one = false;
 
   /// Poses to return, >= 1: the best one and up to num_hypotheses - 1 alternatives, each with a
-  /// consensus set of its own and at least a quarter of the evidence of the best (symmetric objects,
-  /// repeated structure).
+  /// consensus set of its own and at least a quarter of the evidence of the best (symmetric
+  /// objects, repeated structure).
   int num_hypotheses = 1;
   /// Spend what is left of the time limit on proving the consensus a maximum one: a search over
   /// sets of correspondences that no pose fits jointly tightens the upper bounds.
