@@ -16,6 +16,8 @@ std::string quoted(const std::filesystem::path& path) { return "'" + path.string
 TEST(Spelling, OfACommandOrAnOptionIsAnsweredWithTheRightOne) {
   expect_failure("registr a b", 2, "no command 'registr'; did you mean register?");
   expect_failure("sovle m.csv", 2, "did you mean solve?");
+  expect_failure("--halp", 2, "--halp: gmcr has no such option; did you mean --help?");
+  expect_failure("help", 2, "no command 'help'; write gmcr --help");
   expect_failure("solve m.csv --noise-bond 1", 2,
                  "--noise-bond: gmcr solve has no such option; did you mean --noise-bound?");
   expect_failure("solve m.csv --noise-bond=1", 2, "did you mean --noise-bound?");

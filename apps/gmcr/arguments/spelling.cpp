@@ -82,8 +82,16 @@ std::optional<std::string> nearest_word(const std::string& word,
 std::optional<std::string> unknown_word(const CLI::App& app, int argc, char** argv) {
   if (argc < 2) return std::nullopt;
   const std::string name = argv[1];
-  if (looks_like_flag(name)) return std::nullopt;
+  if (looks_like_flag(name)) {
+    const std::vector<std::string> flags = flags_of_command(app);
+    const bool is_known = std::find(flags.begin(), flags.end(), name) != flags.end();
+    if (is_known || is_short(name, flags)) return std::nullopt;
+    return with_suggestion(fmt::format("{}: gmcr has no such option", name), name, flags);
+  }
   const std::vector<std::string> commands = names_of_commands(app);
+  if (nearest_word(name, {"help"})) {
+    return fmt::format("there is no command '{}'; write gmcr --help, or gmcr COMMAND --help", name);
+  }
   if (std::find(commands.begin(), commands.end(), name) == commands.end()) {
     return with_suggestion(fmt::format("there is no command '{}'", name), name, commands);
   }
