@@ -54,7 +54,9 @@ def register_clouds(
     options : Options, optional
         For the solver; ``noise_bound`` 0 takes the bound from the voxel size.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these. ``initial_pose`` may be
+        any pose, such as a matrix (4, 4), with ``max_rotation_error``, degrees,
+        ``max_translation_error``, metres, or both: how near to it the pose is.
 
     Returns
     -------
@@ -106,7 +108,8 @@ def register_cloud_instances(
     instances : InstanceOptions, optional
         When the search ends.
     **keywords
-        Fields of ``Options``, ``FrontendOptions`` and ``InstanceOptions``, instead of these.
+        Fields of ``Options``, ``FrontendOptions`` and ``InstanceOptions``, instead of these, as
+        for ``register_clouds``.
 
     Returns
     -------
@@ -143,7 +146,8 @@ def match(
     options : Options, optional
         ``scale_mode``, ``scale``, ``noise_bound``, ``one_to_one`` and ``num_threads`` are read.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these, as for
+        ``register_clouds``.
 
     Returns
     -------
@@ -178,7 +182,8 @@ def refine_clouds(
     source, target : array_like, shape (N, 3) and (M, 3), or path
         The clouds that it is of, as for ``register_clouds``.
     options, **keywords
-        Those that the result was computed with; ``time_limit`` ends the refinement.
+        Those that the result was computed with, as for ``register_clouds``; ``time_limit`` ends
+        the refinement.
 
     Returns
     -------

@@ -8,12 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from ._gmcr import GravityPrior, InitialPose, Options
+from ._gmcr import GravityPrior, Options
+from ._poses import NEAR
 
-_NEAR = (
-    "initial_pose=gmcr.InitialPose(target_from_source=pose, max_rotation=0.2, max_translation=1), "
-    "which says how near, in radians and metres"
-)
 _BOUND = "noise_bound=0.05, the largest error of a right match in metres"
 
 #: What other libraries, or the tool, call it -> what to write.
@@ -23,10 +20,10 @@ _ELSEWHERE = {
     "cbar2": _BOUND,
     "inlier_threshold": _BOUND,
     "max_correspondence_distance": _BOUND,
-    "init": _NEAR,
-    "initial_guess": _NEAR,
-    "initial_transform": _NEAR,
-    "init_T_target_source": _NEAR,
+    "init": NEAR,
+    "initial_guess": NEAR,
+    "initial_transform": NEAR,
+    "init_T_target_source": NEAR,
     "downsampling_resolution": "voxel_size=0.1, metres",
     "voxel": "voxel_size=0.1, metres",
     "timeout": "time_limit=10, seconds",
@@ -66,8 +63,6 @@ def refuse_misread(keywords: Mapping[str, Any]) -> None:
             "gravity: write gravity=gmcr.GravityPrior(source=[0, 0, 1], target=[0, 0, 1], "
             "max_tilt=0.03), the direction in both frames and the angle that it may be off"
         )
-    if not isinstance(keywords.get("initial_pose"), InitialPose | None):
-        raise TypeError(f"initial_pose: a pose alone is no bound: write {_NEAR}")
     scale_range = keywords.get("scale_range")
     if scale_range is not None:
         _check_range(scale_range, keywords)

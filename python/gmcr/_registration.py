@@ -42,6 +42,8 @@ def register_correspondences(
     **keywords
         Fields of ``Options``, instead of ``options``; ``noise_bound`` in metres is the one that is
         needed, or 'auto' to take it from the data.
+        ``initial_pose`` may be any pose, such as a matrix (4, 4), with ``max_rotation_error``,
+        degrees, ``max_translation_error``, metres, or both: how near to it the transform is.
 
     Returns
     -------
@@ -98,7 +100,8 @@ def register_instances(
     instances : InstanceOptions, optional
         When the search ends.
     **keywords
-        Fields of ``Options`` and ``InstanceOptions``, instead of these.
+        Fields of ``Options`` and ``InstanceOptions``, instead of these, as for
+        ``register_correspondences``.
 
     Returns
     -------

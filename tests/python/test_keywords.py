@@ -14,14 +14,15 @@ import pytest
 from gmcr import _keywords
 
 KINDS = [
-    (_keywords.SolverKeywords, gmcr.Options),
+    (_keywords.OptionKeywords, gmcr.Options),
     (_keywords.FrontendKeywords, gmcr.FrontendOptions),
     (_keywords.LimitKeywords, gmcr.InstanceOptions),
     (_keywords.CliqueKeywords, gmcr.CliqueOptions),
     (_keywords.WeightedCliqueKeywords, gmcr.WeightedCliqueOptions),
     (_keywords.SyntheticKeywords, gmcr.SyntheticOptions),
 ]
-SOLVER = set(gmcr.Options().__getstate__())
+NEARNESS = {"max_rotation_error", "max_translation_error"}
+SOLVER = set(gmcr.Options().__getstate__()) | NEARNESS
 CLOUDS = SOLVER | set(gmcr.FrontendOptions().__getstate__())
 INSTANCES = SOLVER | set(gmcr.InstanceOptions().__getstate__())
 CLIQUES = set(gmcr.CliqueOptions().__getstate__())
@@ -50,6 +51,7 @@ TYPOS = {
     "register_correspondences(points, points, scale_mode='unknown')": "'estimated'",
     "register_correspondences(points, points, noise_bound='automatic')": "'auto'",
     "register_clouds(points, points, voxel_sise=1)": "voxel_size",
+    "register_clouds(points, points, max_rotation_error='15')": "max_rotation_error",
     "register_clouds(points, points, refine='gicp')": "'icp'",
     "register_instances(points, points, max_instance=1)": "max_instances",
     "multiview.register_scans([points], voxel_sise=1)": "voxel_size",
@@ -95,6 +97,9 @@ def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
         "register_clouds(points, points).status.value.upper()",
         "register_clouds(points, points).inliers.astype(int)",
         "InitialPose(target_from_source=points, max_rotation=0.1)",
+        "register_clouds(points, points, initial_pose=np.eye(4), max_rotation_error=15)",
+        "register_clouds(points, points, initial_pose=gmcr.Similarity(), max_translation_error=2)",
+        "register_correspondences(points, points, initial_pose=gmcr.InitialPose(), noise_bound=1)",
     ]
     path = tmp_path / "calls.py"
     head = [

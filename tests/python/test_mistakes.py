@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 
 import gmcr
 import numpy as np
@@ -66,7 +67,7 @@ MISTAKES = {
         TypeError,
         "'estimate_scale'.* write scale_mode='estimated'",
     ),
-    "Open3D's name": (lambda: solve(init=POSE), TypeError, "write initial_pose=gmcr.InitialPose"),
+    "Open3D's name": (lambda: solve(init=POSE), TypeError, "write initial_pose=pose, max_"),
     "gravity alone": (
         lambda: bounded(POINTS, POINTS, gravity=[0, 0, 1]),
         TypeError,
@@ -75,7 +76,51 @@ MISTAKES = {
     "a pose alone": (
         lambda: bounded(POINTS, POINTS, initial_pose=POSE),
         TypeError,
-        "initial_pose: .*write initial_pose=gmcr.InitialPose",
+        "initial_pose: .*write initial_pose=pose, max_rotation_error=15, max_translation_error=2",
+    ),
+    "a pose alone, of clouds": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, initial_pose=gmcr.Similarity()),
+        TypeError,
+        "initial_pose: .*write initial_pose=pose, max_rotation_error=15, max_translation_error=2",
+    ),
+    "bounds without a pose": (
+        lambda: bounded(POINTS, POINTS, max_translation_error=1),
+        TypeError,
+        "max_translation_error: .*initial_pose=pose",
+    ),
+    "bounds of a pose that has its own": (
+        lambda: bounded(
+            POINTS, POINTS, initial_pose=gmcr.InitialPose(max_rotation=0.1), max_rotation_error=1
+        ),
+        TypeError,
+        "max_rotation_error: a gmcr.InitialPose has bounds of its own",
+    ),
+    "bounds beside options": (
+        lambda: gmcr.register_correspondences(
+            POINTS, POINTS, gmcr.Options(noise_bound=1), max_rotation_error=1
+        ),
+        TypeError,
+        r"give options or keywords \(max_rotation_error\), not both",
+    ),
+    "more than half a turn": (
+        lambda: bounded(POINTS, POINTS, initial_pose=POSE, max_rotation_error=181),
+        ValueError,
+        r"max_rotation_error: 181 is not in \[0, 180\] degrees",
+    ),
+    "a distance below 0": (
+        lambda: bounded(POINTS, POINTS, initial_pose=POSE, max_translation_error=-1),
+        ValueError,
+        "max_translation_error: -1 is not >= 0 metres",
+    ),
+    "a distance in words": (
+        lambda: bounded(POINTS, POINTS, initial_pose=POSE, max_translation_error="2 m"),
+        TypeError,
+        "max_translation_error: '2 m' is not a number of metres",
+    ),
+    "three rows of an initial pose": (
+        lambda: bounded(POINTS, POINTS, initial_pose=POSE[:3], max_rotation_error=1),
+        ValueError,
+        r"initial_pose: .*np.vstack\(\[pose, \[0, 0, 0, 1\]\]\)",
     ),
     "a range of a known scale": (
         lambda: bounded(POINTS, POINTS, scale_range=(0.5, 2)),
@@ -195,11 +240,43 @@ def test_what_is_written_instead_works():
         {"noise_bound": 0.05},
         {"noise_bound": "auto"},
         {"noise_bound": 0.05, "initial_pose": near},
+        {"noise_bound": 0.05, "initial_pose": POSE, "max_translation_error": 4},
         {"noise_bound": 0.05, "gravity": up},
         {"noise_bound": 0.05, "scale_mode": "estimated", "scale_range": (0.5, 2)},
     ):
         result = gmcr.register_correspondences(POINTS, moved, **keywords)
         assert len(result.inliers) == 20, keywords
+
+
+@pytest.mark.parametrize("bounds", [(10, 0.5), (10, None), (None, 0.5)])
+def test_a_pose_with_bounds_beside_it_is_an_initial_pose(problem, bounds):
+    truth = problem.target_from_source
+    turn, shift = bounds
+    limits = {"max_rotation_error": turn, "max_translation_error": shift}
+    limits = {name: limit for name, limit in limits.items() if limit is not None}
+    prior = gmcr.InitialPose(
+        target_from_source=truth,
+        max_rotation=np.pi if turn is None else np.radians(turn),
+        max_translation=np.inf if shift is None else shift,
+    )
+    solve_it = partial(gmcr.register_correspondences, problem.source, problem.target)
+    expected = solve_it(noise_bound=problem.noise_bound, initial_pose=prior)
+    for pose in (truth, truth.matrix(), truth.matrix().tolist(), problem, expected):
+        result = solve_it(noise_bound=problem.noise_bound, initial_pose=pose, **limits)
+        assert result.certificate.lower >= 39
+        if pose is not expected:
+            assert np.array_equal(result.matrix(), expected.matrix())
+
+
+def test_a_pose_with_bounds_is_heeded_by_clouds_and_instances(clouds):
+    source, target, motion = clouds
+    rough = {"initial_pose": motion.matrix(), "max_rotation_error": 20, "max_translation_error": 1}
+    result = gmcr.register_clouds(source, target, voxel_size=0.1, max_attempts=1, **rough)
+    assert result.verdict == "trusted"
+    rough["initial_pose"] = gmcr.Similarity(translation=[9, 9, 9])
+    few = source[::100]
+    (first, *_) = gmcr.register_instances(few, few, noise_bound=0.01, **rough)
+    assert len(first.inliers) < len(few)
 
 
 def test_auto_is_the_estimated_bound(problem):
