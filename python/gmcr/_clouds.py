@@ -19,6 +19,7 @@ from ._arguments import (
     solver_options,
 )
 from ._gmcr import CloudMatches, CloudResult, FrontendOptions, InstanceOptions, Options
+from ._hints import require_cloud_result
 from ._prepared import as_prepared_pair
 
 if TYPE_CHECKING:
@@ -194,7 +195,15 @@ def refine_clouds(
     ------
     ValueError
         on a wrong shape, a value that is not finite, or an option out of range.
+    TypeError
+        where the result is not one of clouds, with what to write.
     """
+    require_cloud_result(
+        result,
+        "gmcr.refine_clouds(result, source, target)",
+        ", or for a pose from elsewhere gmcr.register_clouds(source, target, initial_pose=pose, "
+        "max_rotation_error=5, max_translation_error=0.5), which refines it",
+    )
     return _gmcr.refine_clouds(
         result,
         as_cloud(source, "source"),
@@ -224,7 +233,13 @@ def with_pose(
     -------
     CloudResult
         Inliers, certificate, fitness and verdict are those of the new pose.
+
+    Raises
+    ------
+    TypeError
+        where the result is not one of clouds, with what to write.
     """
+    require_cloud_result(result, "gmcr.with_pose(result, pose)")
     return _gmcr.with_pose(result, as_pose(target_from_source), solver_options(options, **keywords))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._gmcr import GravityPrior, Options
+from ._gmcr import CloudMatches, CloudResult, GravityPrior, Options, Result
 from ._poses import NEAR
 
 _BOUND = "noise_bound=0.05, the largest error of a right match in metres"
@@ -75,6 +75,42 @@ def _check_range(scale_range: Any, keywords: Mapping[str, Any]) -> None:
         raise ValueError(
             "scale_range: is given, but the scale is known; write scale_mode='estimated' too"
         )
+
+
+def require_cloud_result(result: object, call: str, instead: str = "") -> None:
+    """Refuses what is no result of clouds, with what to write.
+
+    Parameters
+    ----------
+    result : object
+        What was given.
+    call : str
+        The call as it is written.
+    instead : str
+        What to write where there is no result of clouds yet.
+
+    Raises
+    ------
+    TypeError
+        naming the argument.
+    """
+    if isinstance(result, CloudResult):
+        return
+    start = f"result: expected that of gmcr.register_clouds, but it is {_named(result)}"
+    if isinstance(result, CloudMatches):
+        raise TypeError(f"{start}, without a pose: write result = gmcr.register_clouds(...)")
+    if isinstance(result, Result):
+        raise TypeError(
+            f"{start}, of matched points: another pose is judged on these by "
+            "gmcr.evaluate_consensus(pose, source, target, noise_bound=0.05)"
+        )
+    raise TypeError(f"{start}: write {call}{instead}")
+
+
+def _named(given: object) -> str:
+    if np.shape(given) == (4, 4):  # type: ignore[arg-type]
+        return "a pose"
+    return f"a {type(given).__name__}"
 
 
 def require_bound(options: Options) -> Options:

@@ -198,6 +198,31 @@ MISTAKES = {
         ValueError,
         "the pose comes before the points",
     ),
+    "a pose where the result belongs": (
+        lambda: gmcr.refine_clouds(POSE, POINTS, POINTS),
+        TypeError,
+        r"result: .* it is a pose: write gmcr.refine_clouds\(result, .*initial_pose=pose, max_",
+    ),
+    "clouds where the result belongs": (
+        lambda: gmcr.refine_clouds(POINTS, POINTS, POSE),
+        TypeError,
+        r"result: .* it is a ndarray: write gmcr.refine_clouds\(result, .*initial_pose=pose, max_",
+    ),
+    "another pose for the result of matches": (
+        lambda: gmcr.with_pose(bounded(POINTS, POINTS), POSE),
+        TypeError,
+        r"result: .* it is a Result, .* gmcr.evaluate_consensus\(pose, source, target, ",
+    ),
+    "another pose for matches": (
+        lambda: gmcr.with_pose(gmcr.match(POINTS, POINTS, voxel_size=0.1), POSE),
+        TypeError,
+        "result: .* it is a CloudMatches, .* write result = gmcr.register_clouds",
+    ),
+    "the pose before the result": (
+        lambda: gmcr.with_pose(POSE, POSE),
+        TypeError,
+        r"result: .* write gmcr.with_pose\(result, pose\)",
+    ),
     "three rows of a pose": (
         lambda: gmcr.evaluate(POSE[:3], POSE),
         ValueError,
