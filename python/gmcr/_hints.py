@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher
 from typing import Any
@@ -9,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from ._gmcr import CloudMatches, CloudResult, GravityPrior, Options, Result
-from ._poses import NEAR
+from ._poses import NEAR, is_pose
 
 _BOUND = "noise_bound=0.05, the largest error of a right match in metres"
+_TIME = "time_limit=10, seconds"
 
 #: What other libraries, or the tool, call it -> what to write.
 _ELSEWHERE = {
@@ -26,7 +28,23 @@ _ELSEWHERE = {
     "init_T_target_source": NEAR,
     "downsampling_resolution": "voxel_size=0.1, metres",
     "voxel": "voxel_size=0.1, metres",
-    "timeout": "time_limit=10, seconds",
+    "timeout": _TIME,
+    "budget": _TIME,
+    "time_budget": _TIME,
+    "max_time": _TIME,
+    "noise": _BOUND,
+    "sigma": _BOUND,
+    "epsilon": _BOUND,
+    "max_rotation": NEAR,
+    "n_jobs": "num_threads=4; 0 uses every core",
+    "workers": "num_threads=4; 0 uses every core",
+}
+
+_MEMORY = re.compile(r"\s*(\d+(?:\.\d+)?)\s*((?:[KMGT]i?)?)B?\s*", re.IGNORECASE)
+_BYTES = {
+    "": 1,
+    **{unit: 1000**power for power, unit in enumerate("KMGT", start=1)},
+    **{f"{unit}I": 1024**power for power, unit in enumerate("KMGT", start=1)},
 }
 
 
@@ -58,6 +76,7 @@ def refuse_misread(keywords: Mapping[str, Any]) -> None:
     """
     if np.ndim(keywords.get("noise_bound", 0)) > 0:
         raise TypeError("noise_bound: is one number; write noise_bounds=... for one a match")
+    refuse_memory_in_words(keywords)
     if not isinstance(keywords.get("gravity"), GravityPrior | None):
         raise TypeError(
             "gravity: write gravity=gmcr.GravityPrior(source=[0, 0, 1], target=[0, 0, 1], "
@@ -66,6 +85,22 @@ def refuse_misread(keywords: Mapping[str, Any]) -> None:
     scale_range = keywords.get("scale_range")
     if scale_range is not None:
         _check_range(scale_range, keywords)
+
+
+def refuse_memory_in_words(keywords: Mapping[str, Any]) -> None:
+    """Refuses memory such as '4GB'.
+
+    Raises
+    ------
+    TypeError
+        with the same in bytes.
+    """
+    for name in ("memory_limit", "max_memory"):
+        words = keywords.get(name)
+        found = _MEMORY.fullmatch(words) if isinstance(words, str) else None
+        if found:
+            number = round(float(found[1]) * _BYTES[found[2].upper()])
+            raise TypeError(f"{name}: {words!r} is no number of bytes; write {name}={number:_}")
 
 
 def _check_range(scale_range: Any, keywords: Mapping[str, Any]) -> None:
@@ -96,7 +131,8 @@ def require_cloud_result(result: object, call: str, instead: str = "") -> None:
     """
     if isinstance(result, CloudResult):
         return
-    start = f"result: expected that of gmcr.register_clouds, but it is {_named(result)}"
+    what = "a pose" if is_pose(result) else f"a {type(result).__name__}"
+    start = f"result: expected that of gmcr.register_clouds, but it is {what}"
     if isinstance(result, CloudMatches):
         raise TypeError(f"{start}, without a pose: write result = gmcr.register_clouds(...)")
     if isinstance(result, Result):
@@ -105,12 +141,6 @@ def require_cloud_result(result: object, call: str, instead: str = "") -> None:
             "gmcr.evaluate_consensus(pose, source, target, noise_bound=0.05)"
         )
     raise TypeError(f"{start}: write {call}{instead}")
-
-
-def _named(given: object) -> str:
-    if np.shape(given) == (4, 4):  # type: ignore[arg-type]
-        return "a pose"
-    return f"a {type(given).__name__}"
 
 
 def require_bound(options: Options) -> Options:

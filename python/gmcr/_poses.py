@@ -56,6 +56,14 @@ def as_pose(pose: PoseLike, name: str = "target_from_source") -> Similarity:
     )
 
 
+def is_pose(given: Any) -> bool:
+    """Whether something looks like a pose, where something else was expected."""
+    try:
+        return isinstance(given, Similarity) or np.shape(given) == (4, 4)
+    except ValueError:  # rows of unlike length
+        return False
+
+
 def as_initial_pose(
     pose: InitialPose | PoseLike | None,
     max_rotation_error: float | None,

@@ -8,6 +8,7 @@ from functools import partial
 import gmcr
 import numpy as np
 import pytest
+from gmcr import _hints
 
 POINTS = np.random.default_rng(8).random((20, 3))
 POSE = np.eye(4)
@@ -68,6 +69,38 @@ MISTAKES = {
         "'estimate_scale'.* write scale_mode='estimated'",
     ),
     "Open3D's name": (lambda: solve(init=POSE), TypeError, "write initial_pose=pose, max_"),
+    "a bound in short": (lambda: solve(noise=0.01), TypeError, "write noise_bound="),
+    "a bound of clouds in short": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, noise=0.01),
+        TypeError,
+        "write noise_bound=",
+    ),
+    "a bound of a rotation": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, initial_pose=POSE, max_rotation=0.2),
+        TypeError,
+        "'max_rotation' is no option: write initial_pose=pose, max_rotation_error=15",
+    ),
+    "a budget": (lambda: solve(budget=3), TypeError, "write time_limit=10, seconds"),
+    "a budget of a clique": (
+        lambda: gmcr.max_clique(np.ones((3, 3), bool), budget=3),
+        TypeError,
+        "write time_limit=10, seconds",
+    ),
+    "memory in words": (
+        lambda: bounded(POINTS, POINTS, memory_limit="4GB"),
+        TypeError,
+        "memory_limit: '4GB' .* write memory_limit=4_000_000_000$",
+    ),
+    "memory in other words": (
+        lambda: bounded(POINTS, POINTS, memory_limit="1.5 GiB"),
+        TypeError,
+        "write memory_limit=1_610_612_736$",
+    ),
+    "memory of a clique in words": (
+        lambda: gmcr.max_clique(np.ones((3, 3), bool), max_memory="500mb"),
+        TypeError,
+        "write max_memory=500_000_000$",
+    ),
     "gravity alone": (
         lambda: bounded(POINTS, POINTS, gravity=[0, 0, 1]),
         TypeError,
@@ -203,6 +236,11 @@ MISTAKES = {
         TypeError,
         r"result: .* it is a pose: write gmcr.refine_clouds\(result, .*initial_pose=pose, max_",
     ),
+    "rows of unlike length where the result belongs": (
+        lambda: gmcr.refine_clouds([[0], [1, 2]], POINTS, POINTS),
+        TypeError,
+        r"result: .* it is a list: write gmcr.refine_clouds\(result, ",
+    ),
     "clouds where the result belongs": (
         lambda: gmcr.refine_clouds(POINTS, POINTS, POSE),
         TypeError,
@@ -238,6 +276,18 @@ def test_a_mistake_is_answered_with_what_to_write(mistake):
         call()
     assert re.search(words, str(caught.value)), caught.value
     assert "\n" not in str(caught.value)
+
+
+def test_no_name_of_elsewhere_is_an_option_here():
+    for kind in (
+        gmcr.Options,
+        gmcr.FrontendOptions,
+        gmcr.InstanceOptions,
+        gmcr.CliqueOptions,
+        gmcr.WeightedCliqueOptions,
+        gmcr.SyntheticOptions,
+    ):
+        assert not _hints._ELSEWHERE.keys() & kind().__getstate__().keys()
 
 
 def test_a_message_of_a_mesh_or_of_a_ros_message_says_how_to_read_it():
