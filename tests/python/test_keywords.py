@@ -46,6 +46,10 @@ OFFERED = {
     "viz.plot(result, source, target, ": SOLVER,
     "viz.report(result, source, target, path, ": SOLVER,
 }
+SUBMODULES = {
+    "": {"io", "viz", "batch", "multiview", "register_clouds"},
+    "io.read_": {"read_points", "read_cloud"},
+}
 TYPOS = {
     "register_correspondences(points, points, noise_bond=1)": "noise_bound",
     "register_correspondences(points, points, scale_mode='unknown')": "'estimated'",
@@ -60,6 +64,9 @@ TYPOS = {
     "Options(evidence='counts')": "'count'",
     "register_clouds(points, points).pose_graph_covariance('g2o')": "'gtsam'",
     "make_synthetic(kind='bal')": "'ball'",
+    "register_cloud(points, points)": "register_cloud",
+    "io.read_point('a.ply')": "read_point",
+    "register_clouds(points, points).transformation": "transformation",
 }
 
 
@@ -81,11 +88,19 @@ def test_the_typed_words_are_those_that_are_known(name):
 @pytest.mark.parametrize("call", OFFERED, ids=lambda call: call.partition("(")[0])
 def test_an_editor_offers_every_option(call):
     script = jedi.Script(
-        f"import gmcr.multiview, gmcr.viz\ngmcr.{call}",
+        f"import gmcr\ngmcr.{call}",
         project=jedi.Project(Path(gmcr.__file__).parents[1]),
     )
     offered = {completion.name for completion in script.complete()}
     assert {f"{option}=" for option in OFFERED[call]} <= offered
+
+
+@pytest.mark.parametrize(("start", "names"), SUBMODULES.items())
+def test_an_editor_knows_the_submodules(start, names):
+    script = jedi.Script(
+        f"import gmcr\ngmcr.{start}", project=jedi.Project(Path(gmcr.__file__).parents[1])
+    )
+    assert names <= {completion.name for completion in script.complete()}
 
 
 def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
@@ -100,11 +115,12 @@ def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
         "register_clouds(points, points, initial_pose=np.eye(4), max_rotation_error=15)",
         "register_clouds(points, points, initial_pose=gmcr.Similarity(), max_translation_error=2)",
         "register_correspondences(points, points, initial_pose=gmcr.InitialPose(), noise_bound=1)",
+        "io.read_points('a.ply').mean(axis=0)",
     ]
     path = tmp_path / "calls.py"
     head = [
         "import pathlib",
-        "import gmcr.multiview",
+        "import gmcr",
         "import numpy as np",
         "points = np.zeros((3, 3))",
     ]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import re
+import subprocess
+import sys
 from functools import partial
 
 import gmcr
@@ -221,6 +224,51 @@ MISTAKES = {
         OSError,
         "nowhere.ply",
     ),
+    "a cloud in a dict": (
+        lambda: gmcr.register_clouds({"x": 1}, POINTS),
+        ValueError,
+        r"source: .* it is a dict; write np.column_stack\(\[source\['x'\], source\['y'\], ",
+    ),
+    "points in a dict": (
+        lambda: bounded(POINTS, {"points": POINTS}),
+        ValueError,
+        r"target: .* it is a dict; write target\['points'\]",
+    ),
+    "no cloud": (
+        lambda: gmcr.register_clouds(None, POINTS),
+        ValueError,
+        "source: expected numbers, but it is a NoneType",
+    ),
+    "Open3D's name of the pose": (
+        lambda: bounded(POINTS, POINTS).transformation,
+        AttributeError,
+        r"'Result' object has no attribute 'transformation'; write .matrix\(\)",
+    ),
+    "another name of the pose of clouds": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, voxel_size=0.1).pose,
+        AttributeError,
+        r"'CloudResult' object has no attribute 'pose'; write .matrix\(\)",
+    ),
+    "a letter for a pose": (
+        lambda: gmcr.Similarity().T,
+        AttributeError,
+        r"'Similarity' object has no attribute 'T'; write .matrix\(\)",
+    ),
+    "a verb alone": (
+        lambda: gmcr.register(POINTS, POINTS),
+        AttributeError,
+        "'register'; write gmcr.register_clouds.* or gmcr.register_correspondences",
+    ),
+    "a typo in a function": (
+        lambda: gmcr.localize_scan(POINTS, POINTS),
+        AttributeError,
+        "'localize_scan'; did you mean 'localise_scan'",
+    ),
+    "a reader without its module": (
+        lambda: gmcr.read_points("a.ply"),
+        AttributeError,
+        "write gmcr.io.read_points",
+    ),
     "fields without coordinates": (
         lambda: bounded(np.zeros(5, [("u", float), ("v", float)]), POINTS),
         ValueError,
@@ -276,6 +324,24 @@ def test_a_mistake_is_answered_with_what_to_write(mistake):
         call()
     assert re.search(words, str(caught.value)), caught.value
     assert "\n" not in str(caught.value)
+
+
+def test_other_names_are_missing_as_ever():
+    result = bounded(POINTS, POINTS)
+    for thing in (gmcr, result, gmcr.Similarity()):
+        assert not hasattr(thing, "frobnicate")
+        with pytest.raises(AttributeError, match=r"has no attribute 'frobnicate'$"):
+            _ = thing.frobnicate
+    assert np.array_equal(copy.deepcopy(result).matrix(), result.matrix())
+
+
+def test_submodules_need_no_import_of_their_own():
+    code = (
+        "import sys, gmcr; assert not [n for n in gmcr._LAZY if f'gmcr.{n}' in sys.modules]; "
+        "assert {'io', 'viz', 'batch', 'multiview', 'register_clouds'} <= set(dir(gmcr)); "
+        "gmcr.io.read_cloud, gmcr.viz.plot, gmcr.batch.run, gmcr.multiview.register_scans"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_no_name_of_elsewhere_is_an_option_here():
