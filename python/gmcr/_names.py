@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from difflib import get_close_matches
+from functools import partial
 from typing import Any, NoReturn
 
 from ._gmcr import CloudResult, Result, Similarity
@@ -59,16 +60,24 @@ def no_name_of_package(name: str, known: Iterable[str]) -> AttributeError:
 def answer_for_results() -> None:
     """Has results and poses answer names that they lack.
 
-    Python asks ``__getattr__`` only where a name was not found, so that nothing else is slower; the
-    stub does not have it, so that type checkers still find such names.
+    Python asks ``__getattr__`` only where a name was not found, so that nothing else is slower.
     """
     kinds: tuple[Any, ...] = (Result, CloudResult, Similarity)
     for kind in kinds:
-        kind.__getattr__ = _no_name_of_result
+        kind.__getattr__ = _Answer()
 
 
-def _no_name_of_result(self: object, name: str) -> NoReturn:
-    start = f"{type(self).__name__!r} object has no attribute {name!r}"
+class _Answer:
+    """``__getattr__`` of a class whose stub lacks it, since with it every name would pass there."""
+
+    __nb_signature__ = ""  # what the generator of the stub writes of it
+
+    def __get__(self, instance: object, owner: type) -> Callable[[str], NoReturn]:
+        return partial(_no_name_of_result, instance)
+
+
+def _no_name_of_result(given: object, name: str) -> NoReturn:
+    start = f"{type(given).__name__!r} object has no attribute {name!r}"
     if name in _OF_RESULTS:
         raise AttributeError(f"{start}; write {_OF_RESULTS[name]}")
-    raise AttributeError(start, name=name, obj=self)  # by which Python itself suggests another
+    raise AttributeError(start, name=name, obj=given)  # by which Python itself suggests another
