@@ -5,7 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ._gmcr import FrontendOptions, InstanceOptions, Options
-from ._hints import advice_on, closeness, refuse_foreign, refuse_misread, require_bound
+from ._hints import (
+    advice_on,
+    closeness,
+    of_the_function,
+    refuse_foreign,
+    refuse_misread,
+    refuse_near,
+    require_bound,
+)
 from ._points import CloudLike, PointsLike, as_cloud, as_points
 from ._poses import HasPose, PoseLike, as_initial_pose, as_pose
 
@@ -52,7 +60,10 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
         where both are given, or a keyword is unknown.
     """
     check_options(kind, options, keywords)
-    return kind(**keywords) if options is None else options
+    try:
+        return kind(**keywords) if options is None else options
+    except TypeError as error:
+        raise of_the_function(error, kind) from None
 
 
 def check_options(
@@ -99,9 +110,13 @@ def solver_options(
     check_options(Options, options, {**keywords, **bounds})
     if options is not None:
         return options
+    refuse_near(keywords, option_names(Options), _NEARNESS)
     if bounds or "initial_pose" in keywords:
         keywords["initial_pose"] = as_initial_pose(keywords.get("initial_pose"), *nearness)
-    return Options(**keywords)  # type: ignore[arg-type]
+    try:
+        return Options(**keywords)  # type: ignore[arg-type]
+    except TypeError as error:
+        raise of_the_function(error, Options) from None
 
 
 def bounded_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
@@ -153,13 +168,19 @@ def cloud_instance_options(
 def _of_frontend(frontend: FrontendOptions | None, **keywords: Any) -> FrontendOptions:
     _keep_those_of(FrontendOptions, keywords)
     check_options(FrontendOptions, frontend, keywords, "frontend")
-    return FrontendOptions(**keywords) if frontend is None else frontend
+    try:
+        return FrontendOptions(**keywords) if frontend is None else frontend
+    except TypeError as error:
+        raise of_the_function(error, FrontendOptions) from None
 
 
 def _of_instances(instances: InstanceOptions | None, **keywords: Any) -> InstanceOptions:
     _keep_those_of(InstanceOptions, keywords)
     check_options(InstanceOptions, instances, keywords, "instances")
-    return InstanceOptions(**keywords) if instances is None else instances
+    try:
+        return InstanceOptions(**keywords) if instances is None else instances
+    except TypeError as error:
+        raise of_the_function(error, InstanceOptions) from None
 
 
 def _beside(others: type[Any], options: Options | None, **keywords: Any) -> Options:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher
@@ -64,6 +65,38 @@ def refuse_foreign(names: Iterable[str]) -> None:
 def closeness(name: str, known: Iterable[str]) -> float:
     """How like the most similar of the known names a name is, in [0, 1]."""
     return max(SequenceMatcher(None, name, other).ratio() for other in known)
+
+
+def of_the_function(error: TypeError, kind: type[Any]) -> TypeError:
+    """An error of options that a function made of its keywords, as one of that function."""
+    return TypeError(str(error).replace(f"{kind.__name__}()", f"{_called_function()}()", 1))
+
+
+def refuse_near(names: Iterable[str], known: Iterable[str], meant: Iterable[str]) -> None:
+    """Refuses unknown names that are likest to some that the options themselves do not know.
+
+    Raises
+    ------
+    TypeError
+        with that name.
+    """
+    for name in names:
+        if name not in known and closeness(name, meant) > closeness(name, known):
+            nearest = max(meant, key=lambda other: closeness(name, [other]))
+            raise TypeError(
+                f"{_called_function()}() got an unexpected keyword argument {name!r}; "
+                f"did you mean {nearest!r}?"
+            )
+
+
+def _called_function() -> str:
+    """Name of the function of this package that was called from outside of it."""
+    frame = inspect.currentframe()
+    name = ""
+    while frame and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
+        name = frame.f_code.co_name
+        frame = frame.f_back
+    return name
 
 
 def refuse_misread(keywords: Mapping[str, Any]) -> None:

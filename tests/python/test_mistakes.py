@@ -44,21 +44,40 @@ MISTAKES = {
         ValueError,
         "noise_bound='auto'",
     ),
-    "a typo": (lambda: bounded(POINTS, POINTS, num_thread=1), TypeError, "mean 'num_threads'"),
+    "a typo": (
+        lambda: bounded(POINTS, POINTS, num_thread=1),
+        TypeError,
+        r"^register_correspondences\(\) got .* mean 'num_threads'",
+    ),
+    "a typo in the bounds of a pose": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, initial_pose=POSE, max_rotation_err=1),
+        TypeError,
+        r"^register_clouds\(\) got .* mean 'max_rotation_error'",
+    ),
+    "a typo in many scans": (
+        lambda: gmcr.multiview.register_scans([POINTS, POINTS], voxel_sise=1),
+        TypeError,
+        r"^register_scans\(\) got .* mean 'voxel_size'",
+    ),
+    "a typo in a clique": (
+        lambda: gmcr.max_clique(np.ones((3, 3), bool), time_limt=1),
+        TypeError,
+        r"^max_clique\(\) got .* mean 'time_limit'",
+    ),
     "a typo in the front end": (
         lambda: gmcr.register_clouds(POINTS, POINTS, voxels=1),
         TypeError,
-        "mean 'voxel_size'",
+        r"^register_clouds\(\) got .* mean 'voxel_size'",
     ),
     "a typo in instances": (
         lambda: gmcr.register_instances(POINTS, POINTS, noise_bound=1, max_instance=2),
         TypeError,
-        "mean 'max_instances'",
+        r"^register_instances\(\) got .* mean 'max_instances'",
     ),
     "a typo in a problem": (
         lambda: gmcr.make_synthetic(outliers_rate=0.5),
         TypeError,
-        "mean 'outlier_rate'",
+        r"^make_synthetic\(\) got .* mean 'outlier_rate'",
     ),
     "a kind as if it were options": (
         lambda: gmcr.make_synthetic("structured"),
