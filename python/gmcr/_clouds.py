@@ -201,7 +201,7 @@ def refine_clouds(
     require_cloud_result(
         result,
         "gmcr.refine_clouds(result, source, target)",
-        ", or for a pose from elsewhere gmcr.register_clouds(source, target, initial_pose=pose, "
+        "for a pose from elsewhere gmcr.register_clouds(source, target, initial_pose=pose, "
         "max_rotation_error=5, max_translation_error=0.5), which refines it",
     )
     return _gmcr.refine_clouds(

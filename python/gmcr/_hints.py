@@ -164,16 +164,16 @@ def require_cloud_result(result: object, call: str, instead: str = "") -> None:
     """
     if isinstance(result, CloudResult):
         return
-    what = "a pose" if is_pose(result) else f"a {type(result).__name__}"
+    what = "a pose" if is_pose(result) else type(result).__name__
     start = f"result: expected that of gmcr.register_clouds, but it is {what}"
     if isinstance(result, CloudMatches):
         raise TypeError(f"{start}, without a pose: write result = gmcr.register_clouds(...)")
-    if isinstance(result, Result):
+    if isinstance(result, Result) and not instead:
         raise TypeError(
             f"{start}, of matched points: another pose is judged on these by "
             "gmcr.evaluate_consensus(pose, source, target, noise_bound=0.05)"
         )
-    raise TypeError(f"{start}: write {call}{instead}")
+    raise TypeError(f"{start}: write {call}{instead and f', or {instead}'}")
 
 
 def require_bound(options: Options) -> Options:
@@ -197,6 +197,8 @@ def advice_on(kind: type[Any], given: object) -> str:
     """What to write instead of something that is no options of the kind."""
     if isinstance(given, dict):
         return "; write **options"
+    if is_pose(given):
+        return f"; write {NEAR}"
     if isinstance(given, (int, float)) and kind is Options:
         return f"; write noise_bound={given}"
     if isinstance(given, Options):

@@ -118,6 +118,8 @@ def _coordinates_of(array: npt.NDArray[Any], name: str) -> Floats:
 def _advice_on_shape(array: npt.NDArray[Any], name: str) -> str:
     if array.ndim != 2:
         return f"; write {name}.reshape(-1, 3)" if array.shape[-1:] == (3,) and array.size else ""
+    if array.shape == (4, 4) and np.array_equal(array[3], [0, 0, 0, 1]):
+        return "; it looks like a pose, which comes before the points of functions that take one"
     if array.shape[0] == 3:
         return f"; where each column is a point, write {name}.T"
     if array.shape[1] == 6:

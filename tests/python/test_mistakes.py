@@ -306,27 +306,74 @@ MISTAKES = {
     "rows of unlike length where the result belongs": (
         lambda: gmcr.refine_clouds([[0], [1, 2]], POINTS, POINTS),
         TypeError,
-        r"result: .* it is a list: write gmcr.refine_clouds\(result, ",
+        r"result: .* it is list: write gmcr.refine_clouds\(result, ",
     ),
     "clouds where the result belongs": (
         lambda: gmcr.refine_clouds(POINTS, POINTS, POSE),
         TypeError,
-        r"result: .* it is a ndarray: write gmcr.refine_clouds\(result, .*initial_pose=pose, max_",
+        r"result: .* it is ndarray: write gmcr.refine_clouds\(result, .*initial_pose=pose, max_",
     ),
     "another pose for the result of matches": (
         lambda: gmcr.with_pose(bounded(POINTS, POINTS), POSE),
         TypeError,
-        r"result: .* it is a Result, .* gmcr.evaluate_consensus\(pose, source, target, ",
+        r"result: .* it is Result, .* gmcr.evaluate_consensus\(pose, source, target, ",
     ),
     "another pose for matches": (
         lambda: gmcr.with_pose(gmcr.match(POINTS, POINTS, voxel_size=0.1), POSE),
         TypeError,
-        "result: .* it is a CloudMatches, .* write result = gmcr.register_clouds",
+        "result: .* it is CloudMatches, .* write result = gmcr.register_clouds",
     ),
     "the pose before the result": (
         lambda: gmcr.with_pose(POSE, POSE),
         TypeError,
         r"result: .* write gmcr.with_pose\(result, pose\)",
+    ),
+    "the result of matches to be refined by clouds": (
+        lambda: gmcr.refine_clouds(bounded(POINTS, POINTS), POINTS, POINTS),
+        TypeError,
+        "result: .* it is Result: .* for a pose from elsewhere gmcr.register_clouds",
+    ),
+    "points where the pose of a covariance belongs": (
+        lambda: gmcr.evaluate_uncertainty(POINTS, POINTS, POSE, [0, 1, 2], noise_bound=0.1),
+        ValueError,
+        "the pose comes before the points",
+    ),
+    "points where inliers belong": (
+        lambda: gmcr.evaluate_uncertainty(POSE, POINTS, POINTS, POINTS, noise_bound=0.1),
+        ValueError,
+        r"inliers: expected indices .* shape \(20, 3\), float64; write result.inliers",
+    ),
+    "a result where inliers belong": (
+        lambda: gmcr.evaluate_uncertainty(
+            POSE, POINTS, POINTS, bounded(POINTS, POINTS), noise_bound=0.1
+        ),
+        ValueError,
+        "inliers: .* Result; write result.inliers",
+    ),
+    "a mask of other matches": (
+        lambda: gmcr.evaluate_uncertainty(POSE, POINTS, POINTS, np.ones(19, bool), noise_bound=0.1),
+        ValueError,
+        r"inliers: .* 20 of True and False, .* shape \(19,\), bool",
+    ),
+    "a pose where points belong": (
+        lambda: gmcr.evaluate_consensus(POSE, POSE, POINTS, noise_bound=0.1),
+        ValueError,
+        "source: .* it looks like a pose, which comes before the points",
+    ),
+    "a pose among the points of a covariance": (
+        lambda: gmcr.evaluate_uncertainty(POSE, POINTS, POSE, [0, 1, 2], noise_bound=0.1),
+        ValueError,
+        "target: .* it looks like a pose, which comes before the points",
+    ),
+    "a pose where the front end belongs": (
+        lambda: gmcr.register_clouds(POINTS, POINTS, POSE),
+        TypeError,
+        "frontend: .* write initial_pose=pose, max_rotation_error=15",
+    ),
+    "a pose where options belong": (
+        lambda: gmcr.register_correspondences(POINTS, POINTS, POSE),
+        TypeError,
+        "options: .* write initial_pose=pose, max_rotation_error=15",
     ),
     "three rows of a pose": (
         lambda: gmcr.evaluate(POSE[:3], POSE),
@@ -437,6 +484,15 @@ def test_a_pose_with_bounds_is_heeded_by_clouds_and_instances(clouds):
     few = source[::100]
     (first, *_) = gmcr.register_instances(few, few, noise_bound=0.01, **rough)
     assert len(first.inliers) < len(few)
+
+
+def test_inliers_may_be_a_mask(problem):
+    poses = problem.target_from_source, problem.source, problem.target
+    mask, indices = (
+        gmcr.evaluate_uncertainty(*poses, inliers, noise_bound=problem.noise_bound)
+        for inliers in (problem.is_inlier, np.flatnonzero(problem.is_inlier))
+    )
+    assert np.array_equal(mask.covariance.matrix, indices.covariance.matrix)
 
 
 def test_auto_is_the_estimated_bound(problem):
