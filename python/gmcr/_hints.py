@@ -17,7 +17,7 @@ _BOUND = "noise_bound=0.05, the largest error of a right match in metres"
 _TIME = "time_limit=10, seconds"
 
 #: What other libraries, or the tool, call it -> what to write.
-_ELSEWHERE = {
+ELSEWHERE = {
     "estimate_scale": "scale_mode='estimated'",
     "with_scaling": "scale_mode='estimated'",
     "cbar2": _BOUND,
@@ -58,8 +58,8 @@ def refuse_foreign(names: Iterable[str]) -> None:
         with the option of this one.
     """
     for name in names:
-        if name in _ELSEWHERE:
-            raise TypeError(f"{name!r} is no option: write {_ELSEWHERE[name]}")
+        if name in ELSEWHERE:
+            raise TypeError(f"{name!r} is no option: write {ELSEWHERE[name]}")
 
 
 def closeness(name: str, known: Iterable[str]) -> float:
@@ -133,7 +133,7 @@ def refuse_memory_in_words(keywords: Mapping[str, Any]) -> None:
         found = _MEMORY.fullmatch(words) if isinstance(words, str) else None
         if found:
             number = round(float(found[1]) * _BYTES[found[2].upper()])
-            raise TypeError(f"{name}: {words!r} is no number of bytes; write {name}={number:_}")
+            raise TypeError(f"{name}: {words!r} is no number of bytes; write {name}={number}")
 
 
 def _check_range(scale_range: Any, keywords: Mapping[str, Any]) -> None:
