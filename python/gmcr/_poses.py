@@ -44,11 +44,16 @@ def as_pose(pose: PoseLike, name: str = "target_from_source") -> Similarity:
         return found
     matrix = np.asarray(as_array_like(pose))
     if matrix.shape == (4, 4):
-        return Similarity.from_matrix(matrix)
+        try:
+            return Similarity.from_matrix(matrix)
+        except ValueError as error:  # names the argument of from_matrix
+            raise ValueError(str(error).replace("matrix: ", f"{name}: ", 1)) from None
     advice = ""
     if matrix.shape == (3, 4):
         advice = "; write np.vstack([pose, [0, 0, 0, 1]])"
-    elif matrix.ndim == 2 and matrix.shape[1] == 3:
+    elif matrix.shape == (3, 3):
+        advice = "; of a rotation alone write gmcr.Similarity(rotation=...)"
+    elif matrix.ndim == 2 and matrix.shape[1] == 3 and name != "initial_pose":
         advice = "; the pose comes before the points"
     raise ValueError(
         f"{name}: expected a pose, such as a matrix of shape (4, 4), but it is "

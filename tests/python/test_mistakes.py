@@ -172,6 +172,16 @@ MISTAKES = {
         TypeError,
         "max_translation_error: '2 m' is not a number of metres",
     ),
+    "a rotation as an initial pose": (
+        lambda: bounded(POINTS, POINTS, initial_pose=np.eye(3), max_rotation_error=1),
+        ValueError,
+        r"initial_pose: .*write gmcr.Similarity\(rotation=",
+    ),
+    "an initial pose that is no similarity": (
+        lambda: bounded(POINTS, POINTS, initial_pose=np.ones((4, 4)), max_rotation_error=1),
+        ValueError,
+        "^initial_pose: ",
+    ),
     "three rows of an initial pose": (
         lambda: bounded(POINTS, POINTS, initial_pose=POSE[:3], max_rotation_error=1),
         ValueError,
