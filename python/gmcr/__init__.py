@@ -5,6 +5,8 @@
 >>> result.matrix(), result.inliers, result.certificate.upper
 """
 
+from typing import TYPE_CHECKING
+
 from ._arguments import CloudLike, PointsLike, PoseLike
 from ._cliques import max_clique, max_weight_clique
 from ._clouds import (
@@ -68,6 +70,7 @@ from ._gmcr import (
 )
 from ._maps import localise_scan, prepare_map
 from ._metrics import PoseErrors, evaluate
+from ._names import answer_for_results, no_name_of_package
 from ._prepared import prepare
 from ._registration import (
     consistency_graph,
@@ -78,6 +81,27 @@ from ._registration import (
 )
 from ._synthetic import make_synthetic
 
+if TYPE_CHECKING:
+    from . import batch as batch
+    from . import io as io
+    from . import multiview as multiview
+    from . import viz as viz
+else:  # of a function, type checkers would conclude that every name is there
+    _LAZY = ("batch", "io", "multiview", "viz")
+
+    def __getattr__(name):
+        """Submodules, imported when they are first used."""
+        if name not in _LAZY:
+            raise no_name_of_package(name, (*__all__, *_LAZY))
+        from importlib import import_module
+
+        return import_module(f".{name}", __name__)
+
+    def __dir__():
+        return sorted({*globals(), *_LAZY})
+
+
+answer_for_results()
 __version__ = version()
 
 __all__ = [

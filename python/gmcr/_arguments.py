@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-import numpy as np
-import numpy.typing as npt
-
-from ._gmcr import FrontendOptions, InstanceOptions, Options, Similarity
-from ._hints import advice_on, closeness, refuse_foreign, refuse_misread, require_bound
-from ._points import CloudLike, PointsLike, as_array_like, as_cloud, as_points
+from ._gmcr import FrontendOptions, InstanceOptions, Options
+from ._hints import (
+    advice_on,
+    closeness,
+    of_the_function,
+    refuse_foreign,
+    refuse_misread,
+    refuse_near,
+    require_bound,
+)
+from ._points import CloudLike, PointsLike, as_cloud, as_points
+from ._poses import HasPose, PoseLike, as_initial_pose, as_pose
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -18,6 +24,7 @@ if TYPE_CHECKING:
         CloudInstanceKeywords,
         CloudKeywords,
         InstanceKeywords,
+        OptionKeywords,
         SolverKeywords,
     )
 
@@ -38,43 +45,10 @@ __all__ = [
     "solver_options",
 ]
 
-
-class HasPose(Protocol):
-    """Anything with a transform, such as a ``Result`` or a ``SyntheticProblem``."""
-
-    @property
-    def target_from_source(self) -> Similarity: ...
-
-
-PoseLike = Similarity | HasPose | npt.ArrayLike
 T = TypeVar("T")
 
-
-def as_pose(pose: PoseLike, name: str = "target_from_source") -> Similarity:
-    """Transform of a ``Similarity``, of a result, or of a homogeneous matrix (4, 4).
-
-    Raises
-    ------
-    ValueError
-        naming the argument, where it is neither of these.
-    """
-    if isinstance(pose, Similarity):
-        return pose
-    found = getattr(pose, "target_from_source", None)
-    if isinstance(found, Similarity):
-        return found
-    matrix = np.asarray(as_array_like(pose))
-    if matrix.shape == (4, 4):
-        return Similarity.from_matrix(matrix)
-    advice = ""
-    if matrix.shape == (3, 4):
-        advice = "; write np.vstack([pose, [0, 0, 0, 1]])"
-    elif matrix.ndim == 2 and matrix.shape[1] == 3:
-        advice = "; the pose comes before the points"
-    raise ValueError(
-        f"{name}: expected a pose, such as a matrix of shape (4, 4), but it is "
-        f"{matrix.shape or type(pose).__name__}{advice}"
-    )
+#: Keywords that go into ``Options.initial_pose``.
+_NEARNESS = ("max_rotation_error", "max_translation_error")
 
 
 def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
@@ -86,7 +60,10 @@ def as_options(kind: type[T], options: T | None, keywords: dict[str, Any]) -> T:
         where both are given, or a keyword is unknown.
     """
     check_options(kind, options, keywords)
-    return kind(**keywords) if options is None else options
+    try:
+        return kind(**keywords) if options is None else options
+    except TypeError as error:
+        raise of_the_function(error, kind) from None
 
 
 def check_options(
@@ -120,10 +97,26 @@ def option_names(kind: type[Any]) -> tuple[str, ...]:
 # complete the keywords of a function by following them there.
 
 
-def solver_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
-    """``as_options`` of the solver."""
-    check_options(Options, options, keywords)  # type: ignore[arg-type]
-    return Options(**keywords) if options is None else options
+def solver_options(
+    options: Options | None,
+    *,
+    max_rotation_error: float | None = None,
+    max_translation_error: float | None = None,
+    **keywords: Unpack[OptionKeywords],
+) -> Options:
+    """``as_options`` of the solver, whose initial pose may be any with the bounds beside it."""
+    nearness = (max_rotation_error, max_translation_error)
+    bounds = {name: n for name, n in zip(_NEARNESS, nearness, strict=True) if n is not None}
+    check_options(Options, options, {**keywords, **bounds})
+    if options is not None:
+        return options
+    refuse_near(keywords, option_names(Options), _NEARNESS)
+    if bounds or "initial_pose" in keywords:
+        keywords["initial_pose"] = as_initial_pose(keywords.get("initial_pose"), *nearness)
+    try:
+        return Options(**keywords)  # type: ignore[arg-type]
+    except TypeError as error:
+        raise of_the_function(error, Options) from None
 
 
 def bounded_options(options: Options | None, **keywords: Unpack[SolverKeywords]) -> Options:
@@ -175,13 +168,19 @@ def cloud_instance_options(
 def _of_frontend(frontend: FrontendOptions | None, **keywords: Any) -> FrontendOptions:
     _keep_those_of(FrontendOptions, keywords)
     check_options(FrontendOptions, frontend, keywords, "frontend")
-    return FrontendOptions(**keywords) if frontend is None else frontend
+    try:
+        return FrontendOptions(**keywords) if frontend is None else frontend
+    except TypeError as error:
+        raise of_the_function(error, FrontendOptions) from None
 
 
 def _of_instances(instances: InstanceOptions | None, **keywords: Any) -> InstanceOptions:
     _keep_those_of(InstanceOptions, keywords)
     check_options(InstanceOptions, instances, keywords, "instances")
-    return InstanceOptions(**keywords) if instances is None else instances
+    try:
+        return InstanceOptions(**keywords) if instances is None else instances
+    except TypeError as error:
+        raise of_the_function(error, InstanceOptions) from None
 
 
 def _beside(others: type[Any], options: Options | None, **keywords: Any) -> Options:
@@ -200,7 +199,7 @@ def _keep_those_of(kind: type[Any], keywords: dict[str, Any]) -> None:
 
 def _is_of(kind: type[Any], name: str) -> bool:
     """Whether a name, or a misspelt one by its looks, is of a kind rather than of ``Options``."""
-    own, solver = option_names(kind), option_names(Options)
+    own, solver = option_names(kind), (*option_names(Options), *_NEARNESS)
     if name in own or name in solver:
         return name in own
     return closeness(name, own) > closeness(name, solver)

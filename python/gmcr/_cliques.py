@@ -10,6 +10,7 @@ import numpy.typing as npt
 from . import _gmcr
 from ._arguments import check_options
 from ._gmcr import CliqueOptions, CliqueResult, WeightedCliqueOptions, WeightedCliqueResult
+from ._hints import of_the_function
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -89,7 +90,10 @@ def max_clique(
     [0, 1, 2]
     """
     check_options(CliqueOptions, options, keywords)  # type: ignore[arg-type]
-    limits = CliqueOptions(**keywords) if options is None else options
+    try:
+        limits = CliqueOptions(**keywords) if options is None else options
+    except TypeError as error:
+        raise of_the_function(error, CliqueOptions) from None
     return _gmcr.max_clique(_graph_of(graph, num_vertices), limits)
 
 
@@ -119,5 +123,8 @@ def max_weight_clique(
         Vertices, ascending, their weight and the proven upper bound.
     """
     check_options(WeightedCliqueOptions, options, keywords)  # type: ignore[arg-type]
-    limits = WeightedCliqueOptions(**keywords) if options is None else options
+    try:
+        limits = WeightedCliqueOptions(**keywords) if options is None else options
+    except TypeError as error:
+        raise of_the_function(error, WeightedCliqueOptions) from None
     return _gmcr.max_weight_clique(_graph_of(graph, num_vertices), weights, limits)

@@ -19,6 +19,7 @@ from ._arguments import (
     solver_options,
 )
 from ._gmcr import CloudMatches, CloudResult, FrontendOptions, InstanceOptions, Options
+from ._hints import require_cloud_result
 from ._prepared import as_prepared_pair
 
 if TYPE_CHECKING:
@@ -54,7 +55,9 @@ def register_clouds(
     options : Options, optional
         For the solver; ``noise_bound`` 0 takes the bound from the voxel size.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these. ``initial_pose`` may be
+        any pose, such as a matrix (4, 4), with ``max_rotation_error``, degrees,
+        ``max_translation_error``, metres, or both: how near to it the pose is.
 
     Returns
     -------
@@ -106,7 +109,8 @@ def register_cloud_instances(
     instances : InstanceOptions, optional
         When the search ends.
     **keywords
-        Fields of ``Options``, ``FrontendOptions`` and ``InstanceOptions``, instead of these.
+        Fields of ``Options``, ``FrontendOptions`` and ``InstanceOptions``, instead of these, as
+        for ``register_clouds``.
 
     Returns
     -------
@@ -143,7 +147,8 @@ def match(
     options : Options, optional
         ``scale_mode``, ``scale``, ``noise_bound``, ``one_to_one`` and ``num_threads`` are read.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these, as for
+        ``register_clouds``.
 
     Returns
     -------
@@ -178,7 +183,8 @@ def refine_clouds(
     source, target : array_like, shape (N, 3) and (M, 3), or path
         The clouds that it is of, as for ``register_clouds``.
     options, **keywords
-        Those that the result was computed with; ``time_limit`` ends the refinement.
+        Those that the result was computed with, as for ``register_clouds``; ``time_limit`` ends
+        the refinement.
 
     Returns
     -------
@@ -189,7 +195,15 @@ def refine_clouds(
     ------
     ValueError
         on a wrong shape, a value that is not finite, or an option out of range.
+    TypeError
+        where the result is not one of clouds, with what to write.
     """
+    require_cloud_result(
+        result,
+        "gmcr.refine_clouds(result, source, target)",
+        "for a pose from elsewhere gmcr.register_clouds(source, target, initial_pose=pose, "
+        "max_rotation_error=5, max_translation_error=0.5), which refines it",
+    )
     return _gmcr.refine_clouds(
         result,
         as_cloud(source, "source"),
@@ -219,7 +233,13 @@ def with_pose(
     -------
     CloudResult
         Inliers, certificate, fitness and verdict are those of the new pose.
+
+    Raises
+    ------
+    TypeError
+        where the result is not one of clouds, with what to write.
     """
+    require_cloud_result(result, "gmcr.with_pose(result, pose)")
     return _gmcr.with_pose(result, as_pose(target_from_source), solver_options(options, **keywords))
 
 

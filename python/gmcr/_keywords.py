@@ -22,6 +22,7 @@ from ._enums import (
     SyntheticKind,
 )
 from ._gmcr import GravityPrior, InitialPose
+from ._poses import PoseLike
 
 EvidenceWord = Literal["distinct", "count"] | Evidence
 MethodWord = Literal["gmcr", "paper"] | Method
@@ -33,7 +34,7 @@ ScaleModeWord = Literal["known", "estimated"] | ScaleMode
 SyntheticKindWord = Literal["ball", "random", "structured"] | SyntheticKind
 
 
-class SolverKeywords(TypedDict, total=False):
+class OptionKeywords(TypedDict, total=False):
     """Fields of ``gmcr.Options``; ``noise_bound='auto'`` is ``noise_mode='estimated'``."""
 
     noise_mode: NoiseModeWord
@@ -45,7 +46,7 @@ class SolverKeywords(TypedDict, total=False):
     method: MethodWord
     evidence: EvidenceWord
     gravity: GravityPrior | None
-    initial_pose: InitialPose | None
+    initial_pose: InitialPose | PoseLike | None
     max_translation: float
     one_to_one: bool
     num_hypotheses: int
@@ -54,6 +55,17 @@ class SolverKeywords(TypedDict, total=False):
     time_limit: float
     memory_limit: int
     progress: Callable[[str, float], bool | None] | None
+
+
+class SolverKeywords(OptionKeywords, total=False):
+    """Those, and how near to an ``initial_pose`` that has no bounds the answer is.
+
+    ``max_rotation_error`` in degrees in [0, 180], ``max_translation_error`` in metres, as in the
+    tool; where one alone is given, the other is not bounded.
+    """
+
+    max_rotation_error: float
+    max_translation_error: float
 
 
 class FrontendKeywords(TypedDict, total=False):

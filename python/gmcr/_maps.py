@@ -94,7 +94,8 @@ def localise_scan(
         The priors, ``scale``, ``num_threads`` and ``time_limit`` are read. Without ``gravity`` the
         z axis of the scan points up, to 15 degrees.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these, as for
+        ``register_clouds``.
 
     Returns
     -------

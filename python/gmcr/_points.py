@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any, Protocol
 
 import numpy as np
@@ -86,8 +87,8 @@ def _numbers_of(values: Any, name: str) -> npt.NDArray[Any]:
     if array.dtype.names is not None:
         return _coordinates_of(array, name)
     if array.dtype.kind not in "fiu":
-        advice = _advice_on_object(values)
-        raise ValueError(f"{name}: expected numbers, but the dtype is {array.dtype}{advice}")
+        what = f"the dtype is {array.dtype}" if array.shape else f"it is a {type(values).__name__}"
+        raise ValueError(f"{name}: expected numbers, but {what}{_advice_on_object(values, name)}")
     return array
 
 
@@ -117,6 +118,8 @@ def _coordinates_of(array: npt.NDArray[Any], name: str) -> Floats:
 def _advice_on_shape(array: npt.NDArray[Any], name: str) -> str:
     if array.ndim != 2:
         return f"; write {name}.reshape(-1, 3)" if array.shape[-1:] == (3,) and array.size else ""
+    if array.shape == (4, 4) and np.array_equal(array[3], [0, 0, 0, 1]):
+        return "; it looks like a pose, which comes before the points of functions that take one"
     if array.shape[0] == 3:
         return f"; where each column is a point, write {name}.T"
     if array.shape[1] == 6:
@@ -126,7 +129,11 @@ def _advice_on_shape(array: npt.NDArray[Any], name: str) -> str:
     return ""
 
 
-def _advice_on_object(values: Any) -> str:
+def _advice_on_object(values: Any, name: str) -> str:
+    if isinstance(values, Mapping):
+        columns = ", ".join(f"{name}[{axis!r}]" for axis in "xyz")
+        key = next((key for key in ("points", "xyz", "positions") if key in values), None)
+        return f"; write {name}[{key!r}]" if key else f"; write np.column_stack([{columns}])"
     if hasattr(values, "point_step"):
         return "; of a ROS message: sensor_msgs_py.point_cloud2.read_points(message)"
     if hasattr(values, "vertices"):

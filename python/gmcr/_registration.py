@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -42,6 +42,8 @@ def register_correspondences(
     **keywords
         Fields of ``Options``, instead of ``options``; ``noise_bound`` in metres is the one that is
         needed, or 'auto' to take it from the data.
+        ``initial_pose`` may be any pose, such as a matrix (4, 4), with ``max_rotation_error``,
+        degrees, ``max_translation_error``, metres, or both: how near to it the transform is.
 
     Returns
     -------
@@ -98,7 +100,8 @@ def register_instances(
     instances : InstanceOptions, optional
         When the search ends.
     **keywords
-        Fields of ``Options`` and ``InstanceOptions``, instead of these.
+        Fields of ``Options`` and ``InstanceOptions``, instead of these, as for
+        ``register_correspondences``.
 
     Returns
     -------
@@ -158,8 +161,8 @@ def evaluate_uncertainty(
         The transform.
     source, target : array_like, shape (N, 3)
         Matched points, metres.
-    inliers : array_like of int, shape (m,)
-        Its consensus set.
+    inliers : array_like of int, shape (m,), or of bool, shape (N,)
+        Its consensus set, such as ``Result.inliers``, or which of the matches are in it.
     options, **keywords
         As for ``register_correspondences``.
 
@@ -167,14 +170,35 @@ def evaluate_uncertainty(
     -------
     Uncertainty
         Covariance and consistent scales.
+
+    Raises
+    ------
+    ValueError
+        on a wrong shape, a value or an option out of range, or inliers that are no indices.
     """
+    pose, points = as_pose(target_from_source), as_points(source, "source")
     return _gmcr.evaluate_uncertainty(
-        as_pose(target_from_source),
-        as_points(source, "source"),
+        pose,
+        points,
         as_points(target, "target"),
-        inliers,
+        _as_indices(inliers, len(points)),
         bounded_options(options, **keywords),
     )
+
+
+def _as_indices(inliers: npt.ArrayLike, num_matches: int) -> npt.NDArray[Any]:
+    indices = np.asarray(inliers)
+    if indices.dtype == bool and indices.shape == (num_matches,):
+        return np.flatnonzero(indices)
+    if indices.ndim != 1 or (indices.size and indices.dtype.kind not in "iu"):
+        given = (
+            f"shape {indices.shape}, {indices.dtype}" if indices.ndim else type(inliers).__name__
+        )
+        raise ValueError(
+            f"inliers: expected indices of matches, or {num_matches} of True and False, but it is "
+            f"{given}; write result.inliers"
+        )
+    return indices.astype(np.int64)
 
 
 def consistency_graph(

@@ -8,6 +8,7 @@ from . import _gmcr
 from ._arguments import CloudLike, as_cloud
 from ._enums import SyntheticKind
 from ._gmcr import SyntheticOptions, SyntheticProblem
+from ._hints import of_the_function
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -58,7 +59,10 @@ def make_synthetic(
         except ValueError:
             words = ", ".join(repr(word) for word in SyntheticKind)
             raise ValueError(f"kind: {kind!r} is not one of {words}") from None
-        changed = SyntheticOptions(**keywords)
+        try:
+            changed = SyntheticOptions(**keywords)
+        except TypeError as error:
+            raise of_the_function(error, SyntheticOptions) from None
         for name in keywords:
             setattr(options, name, getattr(changed, name))
     elif not isinstance(options, SyntheticOptions):

@@ -305,6 +305,11 @@ def test_a_list_of_which_every_pair_lacks_a_bound_fails_at_once(tmp_path, capsys
         (["--noise-bound", "-1"], 2, "noise_bound"),
         (["--set", "noise_bound"], 2, "NAME=VALUE"),
         (["--set", "nonsense=1"], 2, "nonsense"),
+        (["--set", "num_thread=1"], 2, "did you mean 'num_threads'? But one thread works on each"),
+        (["--set", "initial_pose=1"], 2, "priors on the pose are for single registrations"),
+        (["--set", "max_attempt=1"], 2, "did you mean 'max_attempts'?"),
+        (["--set", "budget=1"], 2, "write time_limit=10, seconds"),
+        (["--set", "memory_limit=4GB"], 2, "write memory_limit=4000000000"),
     ],
 )
 def test_bad_usage_is_one_line(tmp_path, capsys, arguments, code, message):
@@ -312,6 +317,24 @@ def test_bad_usage_is_one_line(tmp_path, capsys, arguments, code, message):
     assert main([str(pairs), "--out", str(tmp_path / "out"), *arguments]) == code
     error = capsys.readouterr().err
     assert message in error and error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--noise_bound", "0.05"], "unrecognized argument --noise_bound; did you mean --noise-bo"),
+        (["--voxel_size=0.05"], "unrecognized argument --voxel_size; did you mean --voxel-size?"),
+        (["--num-hypotheses", "2"], "--num-hypotheses; write --set num_hypotheses=VALUE"),
+        (["--num-threads", "2"], "--num-threads; one thread works on each pair, --workers"),
+        (["--frobnicate"], "unrecognized argument --frobnicate\n"),
+    ],
+)
+def test_an_unknown_flag_is_answered_with_what_to_write(tmp_path, capsys, arguments, message):
+    pairs = write_pairs(tmp_path, ["a"])
+    with pytest.raises(SystemExit) as ended:
+        main([*arguments, str(pairs), "--out", str(tmp_path / "out")])
+    assert ended.value.code == 2
+    assert message in capsys.readouterr().err
 
 
 def test_a_missing_list_is_an_error_of_the_file(tmp_path, capsys):

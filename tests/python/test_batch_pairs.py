@@ -72,8 +72,16 @@ def test_pairs_are_read_one_at_a_time(tmp_path):
     [
         ("id,matches\na,a.npy\nb\n", r":3: 1 cells"),
         ("id,matches\n,a.npy\n", r":2: id: is missing"),
-        ("id,matches,nois_bound\na,a.npy,1\n", r":2: unknown column 'nois_bound'"),
-        ("id,matches,num_threads\na,a.npy,1\n", r":2: unknown column 'num_threads'"),
+        (
+            "id,matches,nois_bound\na,a.npy,1\n",
+            r":2: unknown column 'nois_bound'; did you mean 'noise_bound'",
+        ),
+        (
+            "id,matches,num_threads\na,a.npy,1\n",
+            r":2: unknown column 'num_threads'; one thread works on each pair, --workers",
+        ),
+        ("id,match\na,a.npy\n", r":2: unknown column 'match'; did you mean 'matches'\?"),
+        ("id,matches,noise\na,a.npy,1\n", r":2: unknown column 'noise'; write noise_bound="),
         ("id,matches,voxel_size\na,m.npy,1\n", r":2: voxel_size: is for clouds"),
         ("id,source\na,a.ply\n", r":2: expected matches, or source and target"),
         ("id,source,target,matches\na,s,t,m\n", r":2: expected matches, or source and target"),

@@ -14,14 +14,15 @@ import pytest
 from gmcr import _keywords
 
 KINDS = [
-    (_keywords.SolverKeywords, gmcr.Options),
+    (_keywords.OptionKeywords, gmcr.Options),
     (_keywords.FrontendKeywords, gmcr.FrontendOptions),
     (_keywords.LimitKeywords, gmcr.InstanceOptions),
     (_keywords.CliqueKeywords, gmcr.CliqueOptions),
     (_keywords.WeightedCliqueKeywords, gmcr.WeightedCliqueOptions),
     (_keywords.SyntheticKeywords, gmcr.SyntheticOptions),
 ]
-SOLVER = set(gmcr.Options().__getstate__())
+NEARNESS = {"max_rotation_error", "max_translation_error"}
+SOLVER = set(gmcr.Options().__getstate__()) | NEARNESS
 CLOUDS = SOLVER | set(gmcr.FrontendOptions().__getstate__())
 INSTANCES = SOLVER | set(gmcr.InstanceOptions().__getstate__())
 CLIQUES = set(gmcr.CliqueOptions().__getstate__())
@@ -45,11 +46,16 @@ OFFERED = {
     "viz.plot(result, source, target, ": SOLVER,
     "viz.report(result, source, target, path, ": SOLVER,
 }
+SUBMODULES = {
+    "": {"io", "viz", "batch", "multiview", "register_clouds"},
+    "io.read_": {"read_points", "read_cloud"},
+}
 TYPOS = {
     "register_correspondences(points, points, noise_bond=1)": "noise_bound",
     "register_correspondences(points, points, scale_mode='unknown')": "'estimated'",
     "register_correspondences(points, points, noise_bound='automatic')": "'auto'",
     "register_clouds(points, points, voxel_sise=1)": "voxel_size",
+    "register_clouds(points, points, max_rotation_error='15')": "max_rotation_error",
     "register_clouds(points, points, refine='gicp')": "'icp'",
     "register_instances(points, points, max_instance=1)": "max_instances",
     "multiview.register_scans([points], voxel_sise=1)": "voxel_size",
@@ -58,6 +64,9 @@ TYPOS = {
     "Options(evidence='counts')": "'count'",
     "register_clouds(points, points).pose_graph_covariance('g2o')": "'gtsam'",
     "make_synthetic(kind='bal')": "'ball'",
+    "register_cloud(points, points)": "register_cloud",
+    "io.read_point('a.ply')": "read_point",
+    "register_clouds(points, points).transformation": "transformation",
 }
 
 
@@ -79,11 +88,19 @@ def test_the_typed_words_are_those_that_are_known(name):
 @pytest.mark.parametrize("call", OFFERED, ids=lambda call: call.partition("(")[0])
 def test_an_editor_offers_every_option(call):
     script = jedi.Script(
-        f"import gmcr.multiview, gmcr.viz\ngmcr.{call}",
+        f"import gmcr\ngmcr.{call}",
         project=jedi.Project(Path(gmcr.__file__).parents[1]),
     )
     offered = {completion.name for completion in script.complete()}
     assert {f"{option}=" for option in OFFERED[call]} <= offered
+
+
+@pytest.mark.parametrize(("start", "names"), SUBMODULES.items())
+def test_an_editor_knows_the_submodules(start, names):
+    script = jedi.Script(
+        f"import gmcr\ngmcr.{start}", project=jedi.Project(Path(gmcr.__file__).parents[1])
+    )
+    assert names <= {completion.name for completion in script.complete()}
 
 
 def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
@@ -95,11 +112,15 @@ def test_a_type_checker_finds_a_typo_and_nothing_else(tmp_path):
         "register_clouds(points, points).status.value.upper()",
         "register_clouds(points, points).inliers.astype(int)",
         "InitialPose(target_from_source=points, max_rotation=0.1)",
+        "register_clouds(points, points, initial_pose=np.eye(4), max_rotation_error=15)",
+        "register_clouds(points, points, initial_pose=gmcr.Similarity(), max_translation_error=2)",
+        "register_correspondences(points, points, initial_pose=gmcr.InitialPose(), noise_bound=1)",
+        "io.read_points('a.ply').mean(axis=0)",
     ]
     path = tmp_path / "calls.py"
     head = [
         "import pathlib",
-        "import gmcr.multiview",
+        "import gmcr",
         "import numpy as np",
         "points = np.zeros((3, 3))",
     ]

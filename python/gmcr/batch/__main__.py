@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import re
 import signal
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from types import FrameType
 from typing import Any
 
-from .options import parse_value
+from .options import OPTION_NAMES, advice_on, parse_value
 from .run import Summary, run
 
 _DESCRIPTION = """\
@@ -30,7 +32,10 @@ input, 3 a file cannot be read or written, 130 interrupted."""
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line; returns the exit code."""
-    given = _parser().parse_args(arguments)
+    parser = _parser()
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    _refuse_unknown_flags(parser, words)
+    given = parser.parse_args(words)
     signal.signal(signal.SIGTERM, _interrupt)
     try:
         summary = run(
@@ -63,6 +68,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 130
     print(_describe(summary), file=sys.stderr)
     return 1 if summary.num_errors else 0
+
+
+def _refuse_unknown_flags(parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
+    """Says what to write, which argparse does not."""
+    known = re.findall(r"--[a-z][a-z-]*", parser.format_help())
+    for word in words:
+        if word == "--":
+            return
+        flag = word.partition("=")[0]
+        if flag[:2] != "--" or any(each.startswith(flag) for each in known):
+            continue
+        name = flag[2:].replace("-", "_")
+        near = get_close_matches(flag.replace("_", "-"), known, 1, 0.8)
+        if not near and name in OPTION_NAMES:
+            advice = f"; write --set {name}=VALUE"
+        else:
+            advice = f"; did you mean {near[0]}?" if near else advice_on(name, ())
+        parser.error(f"unrecognized argument {flag}{advice}")
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from .options import FRONTEND_NAMES, OPTION_NAMES, parse_value
+from .options import FRONTEND_NAMES, OPTION_NAMES, advice_on, parse_value
 
 _FILE_NAMES = ("source", "target", "matches")
 _FILE_CHOICES = ({"matches"}, {"source", "target"})
@@ -140,7 +140,8 @@ def _read_parquet(path: Path) -> Iterator[tuple[int, dict[str, Any]]]:
 def _to_pair(fields: dict[str, Any], folder: Path) -> Pair:
     given = {name: value for name, value in fields.items() if value is not None and value != ""}
     if not fields.keys() <= _KNOWN_NAMES:
-        raise ValueError(f"unknown column {min(fields.keys() - _KNOWN_NAMES)!r}")
+        name = min(fields.keys() - _KNOWN_NAMES)
+        raise ValueError(f"unknown column {name!r}{advice_on(name, _KNOWN_NAMES)}")
     if "id" not in given:
         raise ValueError("id: is missing")
     files = {name: given.pop(name) for name in _FILE_NAMES if name in given}

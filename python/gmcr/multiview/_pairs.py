@@ -50,7 +50,8 @@ def register_pairs(
     tolerance : float, optional
         Metres, > 0, see ``Edge.tolerance``; the noise bound of the pair by default.
     **keywords
-        Fields of ``Options`` and ``FrontendOptions``, instead of these.
+        Fields of ``Options`` and ``FrontendOptions``, instead of these, as for
+        ``gmcr.register_clouds``.
 
     Returns
     -------
