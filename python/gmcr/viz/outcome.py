@@ -42,11 +42,10 @@ class OtherPose:
 
 @dataclass(frozen=True)
 class WeakDirection:
-    """A motion that the surfaces leave open: a turn about an axis, or a shift, (3,), unit."""
+    """A motion that the surfaces leave open: about, or along, ``axis``, (3,), unit."""
 
     words: str
-    turn: npt.NDArray[np.float64]
-    shift: npt.NDArray[np.float64]
+    axis: npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -156,8 +155,8 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
         translation=np.array(fields["translation"]),
         inliers=np.array(fields["inliers"], dtype=np.int64),
         num_correspondences=fields["num_correspondences"],
-        evidence=Bounds(**certificate["evidence"]),
-        certificate=Bounds(*(certificate[name] for name in ("lower", "upper", "certified"))),
+        evidence=_bounds(certificate["evidence"]),
+        certificate=_bounds(certificate),
         noise_bound=fields.get("noise_bound") or None,
         stages=times,
         total_seconds=total_seconds,
@@ -174,8 +173,13 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
             for entry in fields.get("surfaces", {}).get("weak_directions", ())
         ),
         is_of_clouds="fitness" in fields,
-        report=tuple(Line(**line) for line in fields["report"]),
+        report=tuple(Line(*(line[name] for name in Line._fields)) for line in fields["report"]),
     )
+
+
+def _bounds(entry: dict[str, Any]) -> Bounds:
+    # by name: later versions may write more
+    return Bounds(entry["lower"], entry["upper"], entry["certified"])
 
 
 def _in_use(fields: dict[str, Any]) -> dict[str, str]:
@@ -216,7 +220,6 @@ def _other(said: str, entry: dict[str, Any], fields: dict[str, Any]) -> OtherPos
 
 
 def _weak_direction(entry: dict[str, Any]) -> WeakDirection:
-    turn, shift = np.array(entry["turn"], dtype=float), np.array(entry["shift"], dtype=float)
-    kind, axis = ("a turn about", turn) if turn.any() else ("a shift along", shift)
-    said = ", ".join(f"{value:.2f}" for value in axis)
-    return WeakDirection(f"{kind} ({said})", turn, shift)
+    motion = "a turn about" if entry["kind"] == "turn" else "a shift along"
+    said = ", ".join(f"{value:.2f}" for value in entry["direction"])
+    return WeakDirection(f"{motion} ({said})", np.array(entry["direction"], dtype=float))
