@@ -118,13 +118,13 @@ def _reason(outcome: Outcome) -> str:
 
 
 def _tiles(outcome: Outcome) -> str:
-    evidence = outcome.evidence
+    most = outcome.evidence.upper
     num_inliers, total = len(outcome.inliers), outcome.num_correspondences
     percentage = 100 * num_inliers / max(total, 1)
     tiles = [
         ("num_inliers", f"{num_inliers:,} of {total:,}", f"inliers ({percentage:.1f} %)"),
         ("upper", *_proven(outcome)),
-        ("evidence", f"{evidence.lower:,.1f}", f"evidence, of at most {evidence.upper:,.1f}"),
+        ("evidence", f"{outcome.pose_evidence:,.1f}", f"evidence, of at most {most:,.1f}"),
         ("time", words.duration(outcome.total_seconds), words.count(outcome.num_threads, "thread")),
     ]
     cells = (
@@ -152,7 +152,8 @@ def _other_poses(outcome: Outcome, scene: Scene) -> str:
     """The poses that much speaks for, side by side with the one that is returned."""
     if not outcome.others or not outcome.has_pose:
         return ""
-    best = OtherPose("the returned pose", outcome.scale, outcome.rotation, outcome.translation)
+    said = f"the returned pose: {outcome.consensus}"
+    best = OtherPose(said, outcome.scale, outcome.rotation, outcome.translation)
     shown = [best, *outcome.others[: _MOST_POSES - 1]]
     cells = "".join(
         f"<figure>{_draw(pose_figure(scene, pose), f'pose{index}')}"

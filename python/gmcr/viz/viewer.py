@@ -128,7 +128,7 @@ def _add_poses(
 ) -> None:
     """The way of the source, and where there are other poses, which one it goes to."""
     slider = server.gui.add_slider("before / after", 0.0, 1.0, 0.01, 1.0)
-    scenes = {"returned": scene}
+    scenes = {f"returned: {outcome.consensus}": scene}
     for index, pose in enumerate(outcome.others, 1):
         scenes[f"{index}: {pose.words}"] = scene.moved_by(pose)
     choice = server.gui.add_dropdown("pose", tuple(scenes)) if outcome.others else None
