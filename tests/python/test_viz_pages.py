@@ -142,7 +142,7 @@ def test_report_opens_without_a_network_and_says_what_the_result_says(
     assert counts == [num_inliers, num_matches - num_inliers]
     assert page.locator("#graph .hm image").count() == 1
     for colour in (SOURCE, TARGET):
-        opened.wait_for_pixels("#clouds", colour, lambda pixels: pixels.sum() > 500)
+        opened.wait_for_pixels("#clouds", colour, lambda pixels: pixels.sum() > 150)
     assert opened.errors == []
     assert [url for url in opened.requests if not url.startswith(("file:", "data:"))] == []
 
@@ -196,12 +196,39 @@ def test_report_fits_a_phone_and_says_what_was_in_use(
         assert shown in used
     for default in ("one_to_one", "memory_limit"):
         assert default not in used, "a default is no choice"
-    page.get_by_text("options left as they are").click()
+    page.get_by_text("options at their defaults").click()
     assert page.get_by_text("one_to_one", exact=True).is_visible()
+    matrix = page.locator("#matrix")
+    assert matrix.evaluate("matrix => matrix.scrollWidth <= matrix.clientWidth"), "four columns"
     num_poses = 1 + len(result.registration.alternatives) + len(result.rivals)
     assert page.locator("#poses figure").count() == (num_poses if num_poses > 1 else 0)
     assert visit.errors == []
     page.close()
+
+
+def corridor(rng: np.random.Generator) -> Cloud:
+    """A floor and two walls, 12 m long and alike all along, 1 cm of noise."""
+    face, across = rng.integers(0, 3, 8000), rng.uniform(0, 1, 8000)
+    y = np.select([face == 0, face == 1], [3 * across - 1.5, -1.5], 1.5)
+    points = np.column_stack([rng.uniform(-6, 6, 8000), y, np.where(face, 2.5 * across, 0)])
+    return points + rng.normal(0, 0.01, points.shape)
+
+
+@pytest.mark.parametrize("width", [390, 1000])
+def test_boxes_of_long_clouds_are_seen_whole(browser: Any, tmp_path: Path, width: int) -> None:
+    cloud = corridor(np.random.default_rng(0))
+    visit = new_visit(browser)
+    visit.page.set_viewport_size({"width": width, "height": 800})
+    result = gmcr.register_clouds(cloud, cloud, num_hypotheses=2)
+    open_offline(visit, report(result, cloud, cloud, tmp_path / "r.html", limits=LIMITS))
+    for name, colour in (("clouds", TARGET), ("distances", "#440154")):
+        assert visit.page.locator(f"#{name}").get_attribute("data-seen")
+        pixels = visit.wait_for_pixels(f"#{name}", colour, lambda pixels: pixels.sum() > 100)
+        rows, columns = pixels.any(axis=1), pixels.any(axis=0)
+        assert not rows[[0, -1]].any() and not columns[[0, -1]].any(), name
+        assert np.ptp(np.flatnonzero(columns)) > 0.4 * pixels.shape[1], "and not from afar"
+    assert visit.errors == []
+    visit.page.close()
 
 
 def test_distances_after_alignment_are_those_of_the_nearest_points(
@@ -218,14 +245,6 @@ def test_distances_after_alignment_are_those_of_the_nearest_points(
     figure = distances_figure(scene)
     assert figure is not None and len(figure.data[0].x) == len(scene.distances)
     assert words.weak_rows(outcome) == [("determined", "all motions: the surfaces leave none open")]
-
-
-def corridor(rng: np.random.Generator) -> Cloud:
-    """A floor and two walls, 12 m long and alike all along, 1 cm of noise."""
-    face, across = rng.integers(0, 3, 8000), rng.uniform(0, 1, 8000)
-    y = np.select([face == 0, face == 1], [3 * across - 1.5, -1.5], 1.5)
-    points = np.column_stack([rng.uniform(-6, 6, 8000), y, np.where(face, 2.5 * across, 0)])
-    return points + rng.normal(0, 0.01, points.shape)
 
 
 def test_what_the_surfaces_leave_open_is_drawn(
