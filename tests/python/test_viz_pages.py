@@ -326,7 +326,9 @@ def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
     assert "showing 1,500 of 3,000 points" in body
     for name in ("source", "target", "inliers", "outliers", "consensus graph", "point size"):
         assert page.get_by_text(name, exact=True).count() >= 1, name
-    position, point_size = page.locator("input[inputmode=decimal]").all()
+    position, point_size = sorted(  # over the scene, and beside it
+        page.locator("input[inputmode=decimal]").all(), key=lambda box: box.bounding_box()["x"]
+    )
     type_into(point_size, "4")
     after = visit.wait_for_pixels("canvas", SOURCE, lambda pixels: pixels.sum() > 300)
     visit.wait_for_pixels("canvas", TARGET, lambda pixels: pixels.sum() > 300)
@@ -346,3 +348,22 @@ def test_viewer_shows_the_nodes_moves_the_source_and_hides_what_is_unchecked(
     visit.wait_for_pixels("canvas", SOURCE, lambda pixels: pixels.sum() < 20)
     assert visit.errors == []
     assert [url for url in visit.requests if "127.0.0.1" not in url and "blob:" not in url] == []
+
+
+def test_viewer_leaves_most_of_a_phone_to_the_clouds(visit: Visit, server: Any) -> None:
+    page = visit.page
+    page.set_viewport_size({"width": 390, "height": 800})
+    page.goto(f"http://127.0.0.1:{server.get_port()}")
+    page.get_by_text("before / after").wait_for()
+    head = page.get_by_text("gmcr", exact=True)  # of the sheet, which shrinks as it is filled
+    end = time.monotonic() + 30
+    while head.bounding_box()["y"] < 0.6 * 800:
+        assert time.monotonic() < end, head.bounding_box()
+        page.wait_for_timeout(100)
+    assert not page.get_by_text("point size", exact=True).is_visible()
+    pixels = visit.wait_for_pixels("canvas", TARGET, lambda pixels: pixels.sum() > 30)
+    columns = np.flatnonzero(pixels.any(axis=0))
+    assert columns.min() > 10 and columns.max() < pixels.shape[1] - 10
+    page.get_by_text("Details", exact=True).click()
+    page.get_by_text("point size", exact=True).wait_for()
+    assert visit.errors == []
