@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
+
 import gmcr
 import numpy as np
 import pytest
 from gmcr.viz import DrawLimits, words
 from gmcr.viz.motion import Motion, angle_axis
-from gmcr.viz.outcome import Outcome
+from gmcr.viz.outcome import Outcome, outcome_of_json
 from gmcr.viz.prepare import scene_of_result
-from gmcr.viz.scene import Scene
+from gmcr.viz.scene import Scene, make_scene
 
 # so wide that random outliers are all beyond it, so that counts are known
 NOISE_BOUND = 0.02
@@ -163,7 +165,8 @@ def test_clouds_are_counted_as_given_and_matches_as_found(
     assert np.flatnonzero(scene.residuals <= scene.bounds).tolist() == (
         result.registration.inliers.tolist()
     )
-    assert dict(words.result_rows(outcome))["verdict"].startswith(str(result.verdict))
+    assert words.headline(outcome).text == result.verdict
+    assert "verdict" not in dict(words.result_rows(outcome)), "the headline says it"
 
 
 def test_the_words_are_those_of_the_library(
@@ -190,6 +193,57 @@ def test_the_matrix_and_the_stages_are_left_to_the_pictures(
     texts = [text for _, text in words.result_rows(outcome)]
     stages = tuple(f"{stage:<22} " for stage in outcome.stages)
     assert stages and not [text for text in texts if text.startswith(stages)]
+
+
+@pytest.mark.parametrize("evidence", [0.0, 3.0])
+def test_evidence_of_a_pose_that_the_surfaces_chose_is_said_as_it_is(
+    clouds: tuple[np.ndarray, np.ndarray, gmcr.Similarity], evidence: float
+) -> None:
+    fields = json.loads(gmcr.register_clouds(*clouds[:2], num_hypotheses=2).to_json())
+    pose = {name: fields[name] for name in ("scale", "rotation", "translation")}
+    fields["alternatives"] = [pose | {"evidence": 4.0, "num_inliers": 5, "inliers": []}]
+    fields |= {"evidence": evidence, "num_inliers": 1, "inliers": [7], "rivals": []}
+    fields["report"] = [
+        {"label": "alternatives", "text": "inf % of the evidence, 5 inliers", "tone": ""},
+        {"label": "ambiguous", "text": "another pose has 100 % of the evidence", "tone": "bad"},
+    ]
+    outcome = outcome_of_json(fields)
+    assert outcome.consensus == f"evidence {evidence:.1f}, 1 inlier"
+    said = "evidence 4.0, 5 inliers; 0 deg and 0 m away"
+    assert [other.words for other in outcome.others] == [said]
+    assert [line.text for line in outcome.report] == [
+        said,
+        "the matches speak more for other poses",
+    ]
+    pytest.importorskip("plotly", reason="the extra viz is not installed")
+    from gmcr.viz.page import page
+
+    page_text = page(outcome, scene_of_outcome(outcome, clouds), "Page").partition("<header>")[2]
+    assert f'<b id="evidence">{evidence:.1f}</b>' in page_text
+    assert f"The returned pose: evidence {evidence:.1f}, 1 inlier." in page_text
+    for share in ("inf %", "% of the evidence"):
+        assert share not in page_text
+
+
+def test_shares_of_the_evidence_are_of_the_most(
+    clouds: tuple[np.ndarray, np.ndarray, gmcr.Similarity],
+) -> None:
+    fields = json.loads(gmcr.register_clouds(*clouds[:2]).to_json())
+    pose = {name: fields[name] for name in ("scale", "rotation", "translation")}
+    entry = pose | {"evidence": fields["evidence"] / 4, "num_inliers": 1, "inliers": []}
+    rival = pose | {"overlap": 0.97, "is_symmetry": True}
+    outcome = outcome_of_json(fields | {"alternatives": [entry], "rivals": [rival]})
+    assert [other.words for other in outcome.others] == [
+        "25 % of the evidence, 1 inlier; 0 deg and 0 m away",
+        "the surfaces meet 97 % as much, a symmetry; 0 deg and 0 m away",
+    ]
+
+
+def scene_of_outcome(
+    outcome: Outcome, clouds: tuple[np.ndarray, np.ndarray, gmcr.Similarity]
+) -> Scene:
+    matched = np.zeros((outcome.num_correspondences, 3))
+    return make_scene(outcome, clouds[:2], (matched, matched), None, DrawLimits(points=50))
 
 
 def test_data_without_an_answer_has_no_pose_and_no_graph() -> None:

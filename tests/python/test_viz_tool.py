@@ -13,6 +13,7 @@ from pathlib import Path
 import gmcr
 import numpy as np
 import pytest
+from gmcr.viz.__main__ import _heading
 from gmcr.viz.outcome import outcome_of_json, outcome_of_result
 
 pytest.importorskip("plotly", reason="the extra viz is not installed")
@@ -57,11 +58,31 @@ def test_register_writes_a_report_and_nothing_but_json_on_stdout(
     result = json.loads(done.stdout)
     text = text_of(report)
     assert f"inliers {result['num_inliers']} of {result['num_correspondences']} (" in text
-    assert f"verdict {result['verdict']}: {result['verdict_reason']}" in text
+    reason = result["verdict_reason"]
+    assert f"source.npy \u2192 target.npy {result['verdict']} {reason.capitalize()}." in text
+    assert text.lower().count(reason.lower()) == 1
+    assert str(tmp_path) not in text
     assert "showing all 3,000 points" in text
     assert "num_hypotheses 2" in text
     assert "(100.0 %) pairs of inliers agree" in text
     assert f"gmcr {result['version']}" in text
+
+
+@pytest.mark.parametrize(
+    ("title", "heading"),
+    [
+        ("/data/a.ply \u2192 /other/b.ply", "a.ply \u2192 b.ply"),
+        ("one/scan.ply \u2192 two/scan.ply", "one/scan.ply \u2192 two/scan.ply"),
+        ("/far/one/scan.ply \u2192 /far/two/scan.ply", "one/scan.ply \u2192 two/scan.ply"),
+        ("/a.ply \u2192 /a.ply", "/a.ply \u2192 /a.ply"),
+        ("/data/matches.csv", "matches.csv"),
+        ("- \u2192 /data/b.ply", "- \u2192 b.ply"),
+        ("Registration", "Registration"),
+        ("", ""),
+    ],
+)
+def test_heading_names_files_not_folders(title: str, heading: str) -> None:
+    assert _heading(title) == heading
 
 
 def test_solve_reports_bounds_of_the_matches_and_the_number_of_instances(

@@ -9,6 +9,8 @@ from pathlib import Path
 from . import _require
 from .prepare import scene_of_files
 
+_ARROW = " \u2192 "  # between the names of two clouds
+
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m gmcr.viz", description=__doc__)
@@ -23,6 +25,16 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _heading(title: str) -> str:
+    """The files that the tool names, without the folders that are not needed to tell them apart."""
+    paths = [Path(name).parts for name in title.split(_ARROW)]
+    for length in range(1, max(map(len, paths), default=0)):
+        names = [str(Path(*parts[-length:])) for parts in paths if parts]
+        if len(set(names)) == len(paths):
+            return _ARROW.join(names)
+    return title
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Runs the command; 0 where it worked, 3 where a file cannot be read or written."""
     given = _parser().parse_args(arguments)
@@ -34,7 +46,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         clouds = tuple(given.clouds) if given.clouds else None
         outcome, scene = scene_of_files(given.result, given.matches, clouds)
-        write_page(given.output, outcome, scene, given.title)
+        write_page(given.output, outcome, scene, _heading(given.title))
     except OSError as error:
         print(f"{error.filename or given.output}: {error.strerror or error}", file=sys.stderr)
         return 3

@@ -42,11 +42,10 @@ class OtherPose:
 
 @dataclass(frozen=True)
 class WeakDirection:
-    """A motion that the surfaces leave open: a turn about an axis, or a shift, (3,), unit."""
+    """A motion that the surfaces leave open: about, or along, ``axis``, (3,), unit."""
 
     words: str
-    turn: npt.NDArray[np.float64]
-    shift: npt.NDArray[np.float64]
+    axis: npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -59,6 +58,8 @@ class Outcome:
         With ``scale``, the transform x_target = scale * rotation @ x_source + translation, metres.
     inliers : ndarray of int64, shape (m,)
         Indices of correspondences, ascending.
+    pose_evidence : float
+        Evidence of the pose; ``evidence.lower`` is the most that any found pose has.
     noise_bound : float or None
         Metres; None where it is not known, or each correspondence has its own.
     stages : dict
@@ -71,6 +72,8 @@ class Outcome:
         Option -> value, as given and by default; empty where they are not known.
     in_use : dict
         What was chosen from the data or searched, such as the voxel size, in words.
+    consensus : str
+        Evidence and number of inliers of the pose, in words.
     others : tuple of OtherPose
         Alternatives of the matches, then rivals of the surfaces.
     weak_directions : tuple of WeakDirection
@@ -87,6 +90,7 @@ class Outcome:
     translation: npt.NDArray[np.float64]
     inliers: npt.NDArray[np.int64]
     num_correspondences: int
+    pose_evidence: float
     evidence: Bounds
     certificate: Bounds
     noise_bound: float | None
@@ -99,6 +103,7 @@ class Outcome:
     verdict_reason: str
     options: dict[str, Any]
     in_use: dict[str, str]
+    consensus: str
     others: tuple[OtherPose, ...]
     weak_directions: tuple[WeakDirection, ...]
     is_of_clouds: bool
@@ -156,8 +161,9 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
         translation=np.array(fields["translation"]),
         inliers=np.array(fields["inliers"], dtype=np.int64),
         num_correspondences=fields["num_correspondences"],
-        evidence=Bounds(**certificate["evidence"]),
-        certificate=Bounds(*(certificate[name] for name in ("lower", "upper", "certified"))),
+        pose_evidence=fields["evidence"],
+        evidence=_bounds(certificate["evidence"]),
+        certificate=_bounds(certificate),
         noise_bound=fields.get("noise_bound") or None,
         stages=times,
         total_seconds=total_seconds,
@@ -168,14 +174,20 @@ def outcome_of_json(fields: dict[str, Any]) -> Outcome:
         verdict_reason=fields.get("verdict_reason", ""),
         options=fields.get("options") or {},
         in_use=_in_use(fields),
+        consensus=_consensus(fields),
         others=_others(fields),
         weak_directions=tuple(
             _weak_direction(entry)
             for entry in fields.get("surfaces", {}).get("weak_directions", ())
         ),
         is_of_clouds="fitness" in fields,
-        report=tuple(Line(**line) for line in fields["report"]),
+        report=_report(fields),
     )
+
+
+def _bounds(entry: dict[str, Any]) -> Bounds:
+    # by name: later versions may write more
+    return Bounds(entry["lower"], entry["upper"], entry["certified"])
 
 
 def _in_use(fields: dict[str, Any]) -> dict[str, str]:
@@ -196,15 +208,49 @@ def _in_use(fields: dict[str, Any]) -> dict[str, str]:
 
 def _others(fields: dict[str, Any]) -> tuple[OtherPose, ...]:
     others = []
+    is_best = _is_best(fields)
     for entry in fields.get("alternatives", ()):
-        share = entry["evidence"] / fields["evidence"] if fields["evidence"] else 0
-        said = f"{100 * share:.0f} % of the evidence, {entry['num_inliers']} inliers"
+        said = _consensus(entry)
+        if is_best:
+            share = entry["evidence"] / fields["evidence"]
+            said = f"{100 * share:.0f} % of the evidence, {_inliers(entry)}"
         others.append(_other(said, entry, fields))
     for entry in fields.get("rivals", ()):
-        others.append(
-            _other(f"the surfaces meet {100 * entry['overlap']:.0f} % as much", entry, fields)
-        )
+        said = f"the surfaces meet {100 * entry['overlap']:.0f} % as much"
+        said += ", a symmetry" if entry["is_symmetry"] else ""
+        others.append(_other(said, entry, fields))
     return tuple(others)
+
+
+def _is_best(fields: dict[str, Any]) -> bool:
+    """Whether the pose has the most evidence; one that the surfaces chose may have none at all."""
+    most = max((entry["evidence"] for entry in fields.get("alternatives", ())), default=0)
+    return bool(0 < fields["evidence"] >= most)
+
+
+def _consensus(entry: dict[str, Any]) -> str:
+    return f"evidence {entry['evidence']:.1f}, {_inliers(entry)}"
+
+
+def _inliers(entry: dict[str, Any]) -> str:
+    return f"{entry['num_inliers']} inlier" + ("" if entry["num_inliers"] == 1 else "s")
+
+
+def _report(fields: dict[str, Any]) -> tuple[Line, ...]:
+    """The lines as they are, but no shares of the evidence of a pose that has not the most."""
+    lines = [Line(*(line[name] for name in Line._fields)) for line in fields["report"]]
+    alternatives = fields.get("alternatives")
+    if not alternatives or _is_best(fields):
+        return tuple(lines)
+    others = [other.words for other in _others(fields)[: len(alternatives)]]
+    about = ""
+    for index, line in enumerate(lines):
+        about = line.label or about
+        if about == "alternatives" and others:
+            lines[index] = line._replace(text=others.pop(0))
+        elif about == "ambiguous" and "of the evidence" in line.text:
+            lines[index] = line._replace(text="the matches speak more for other poses")
+    return tuple(lines)
 
 
 def _other(said: str, entry: dict[str, Any], fields: dict[str, Any]) -> OtherPose:
@@ -216,7 +262,6 @@ def _other(said: str, entry: dict[str, Any], fields: dict[str, Any]) -> OtherPos
 
 
 def _weak_direction(entry: dict[str, Any]) -> WeakDirection:
-    turn, shift = np.array(entry["turn"], dtype=float), np.array(entry["shift"], dtype=float)
-    kind, axis = ("a turn about", turn) if turn.any() else ("a shift along", shift)
-    said = ", ".join(f"{value:.2f}" for value in axis)
-    return WeakDirection(f"{kind} ({said})", turn, shift)
+    motion = "a turn about" if entry["kind"] == "turn" else "a shift along"
+    said = ", ".join(f"{value:.2f}" for value in entry["direction"])
+    return WeakDirection(f"{motion} ({said})", np.array(entry["direction"], dtype=float))

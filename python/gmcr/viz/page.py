@@ -21,8 +21,47 @@ from .outcome import OtherPose, Outcome
 from .scene import Scene
 
 _MOST_POSES = 4  # side by side
-# pictures are made before the columns of the page have their widths
-_FIT = 'addEventListener("load", () => dispatchEvent(new Event("resize")));'
+# Pictures are made before the columns of the page have their widths, and plotly's camera stands
+# where it stands for any shape: it is moved, along its line of sight, to where the whole box is
+# seen. Again where box or width change, but not after the reader has turned or zoomed.
+_FIT = """
+const halfHeight = Math.tan(Math.PI / 8);  // of what plotly's camera sees at distance 1
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const unit = a => a.map(value => value / Math.hypot(...a));
+const cross = (a, b) => [0, 1, 2].map(i =>
+  a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+const xyz = point => [point.x, point.y, point.z];
+
+function fit(picture) {
+  const space = picture._fullLayout.scene;
+  const place = space && space._scene && space._scene.container.getBoundingClientRect();
+  if (!place || !place.width || !place.height) return;
+  const half = xyz(space.aspectratio).map(length => length / 2);
+  const seen = [...half, place.width, place.height].map(value => value.toFixed(3)).join();
+  if (picture.dataset.seen === seen) return;
+  picture.dataset.seen = seen;
+  const centre = xyz(space.camera.center);
+  const back = unit(xyz(space.camera.eye).map((value, i) => value - centre[i]));
+  const right = unit(cross(xyz(space.camera.up), back)), up = cross(back, right);
+  let distance = 0;
+  for (let corner = 0; corner < 8; ++corner) {
+    const point = half.map((length, i) => (corner >> i & 1 ? length : -length));
+    const reach = Math.max(Math.abs(dot(point, up)),
+                           Math.abs(dot(point, right)) * place.height / place.width);
+    distance = Math.max(distance, dot(point, back) + reach / halfHeight);
+  }
+  const [x, y, z] = back.map((value, i) => centre[i] + 1.06 * distance * value);
+  Plotly.relayout(picture, {"scene.camera.eye": {x, y, z}});
+}
+
+addEventListener("load", () => {
+  for (const picture of document.querySelectorAll(".plotly-graph-div")) {
+    picture.on("plotly_afterplot", () => fit(picture));
+    if (picture._fullLayout) fit(picture);
+  }
+  dispatchEvent(new Event("resize"));
+});
+"""
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #202124; background: #f6f7f9;
@@ -38,19 +77,21 @@ section { background: #fff; border: 1px solid #e0e3e7; border-radius: 8px; paddi
          grid-template-columns: repeat(auto-fit, minmax(min(260px, 100%), 1fr)); }
 .poses figure { margin: 0; min-width: 0; }
 .tiles { display: grid; gap: 14px;
-         grid-template-columns: repeat(auto-fit, minmax(min(210px, 45%), 1fr));
+         grid-template-columns: repeat(auto-fit, minmax(min(160px, 45%), 1fr));
          margin-bottom: 14px; }
 .tile b { display: block; font-size: 19px; }
 .grid { display: grid; gap: 14px;
         grid-template-columns: repeat(auto-fit, minmax(min(460px, 100%), 1fr));
-        margin-top: 14px; }
+        align-items: start; margin-top: 14px; }
+.stack { display: grid; gap: 14px; min-width: 0; }
 .note { color: #5f6368; font-size: 13px; margin: 6px 0 0; }
 table { border-collapse: collapse; width: 100%; }
 th { text-align: left; font-weight: 500; color: #5f6368; vertical-align: top; white-space: nowrap;
      padding: 3px 18px 3px 0; width: 1%; }
 td { padding: 3px 0; overflow-wrap: anywhere; }
-.matrix { font-family: "DejaVu Sans Mono", monospace; font-size: 13px; margin: 10px 0 0;
-          overflow-x: auto; }
+.matrix { font-family: "DejaVu Sans Mono", monospace; margin: 10px 0 0; overflow-x: auto;
+          font-size: min(13px, calc((100vw - 52px) / var(--columns) * 1.62)); }
+table + h2, .note + h2 { margin-top: 16px; }
 .reason { flex-basis: 100%; margin: 0; }
 details { margin-top: 10px; } summary { cursor: pointer; color: #5f6368; }
 @media (max-width: 600px) {
@@ -82,7 +123,10 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
         _other_poses(outcome, scene),
         '<div class="grid">',
         _section("Result", _table(words.result_rows(outcome))),
+        '<div class="stack">',
         _section("Transform, target from source", _pose(outcome)),
+        _section("In use", _options(outcome)),
+        "</div>",
         *_surfaces(outcome, scene),
         _section("Residuals of all correspondences", _residuals(outcome, scene)),
         _section(
@@ -90,7 +134,6 @@ def page(outcome: Outcome, scene: Scene, title: str) -> str:
             _draw(graph_figure(scene), "graph") + _note(_sentence(words.agreement(scene))),
         ),
         _section("Time of each stage", _draw(stages_figure(outcome), "stages")),
-        _section("In use", _options(outcome)),
         "</div>",
     ]
     return "\n".join(
@@ -118,13 +161,17 @@ def _reason(outcome: Outcome) -> str:
 
 
 def _tiles(outcome: Outcome) -> str:
-    evidence = outcome.evidence
+    evidence, most = outcome.pose_evidence, f"{outcome.evidence.upper:,.1f}"
+    found = f"{outcome.evidence.lower:,.1f}"
+    said = f"evidence, of at most {most}"
+    if found != f"{evidence:,.1f}":  # the likeliest pose need not hold the most
+        said = f"evidence; at most {most}, {found} held by another pose"
     num_inliers, total = len(outcome.inliers), outcome.num_correspondences
     percentage = 100 * num_inliers / max(total, 1)
     tiles = [
         ("num_inliers", f"{num_inliers:,} of {total:,}", f"inliers ({percentage:.1f} %)"),
         ("upper", *_proven(outcome)),
-        ("evidence", f"{evidence.lower:,.1f}", f"evidence, of at most {evidence.upper:,.1f}"),
+        ("evidence", f"{evidence:,.1f}", said),
         ("time", words.duration(outcome.total_seconds), words.count(outcome.num_threads, "thread")),
     ]
     cells = (
@@ -152,7 +199,8 @@ def _other_poses(outcome: Outcome, scene: Scene) -> str:
     """The poses that much speaks for, side by side with the one that is returned."""
     if not outcome.others or not outcome.has_pose:
         return ""
-    best = OtherPose("the returned pose", outcome.scale, outcome.rotation, outcome.translation)
+    said = f"the returned pose: {outcome.consensus}"
+    best = OtherPose(said, outcome.scale, outcome.rotation, outcome.translation)
     shown = [best, *outcome.others[: _MOST_POSES - 1]]
     cells = "".join(
         f"<figure>{_draw(pose_figure(scene, pose), f'pose{index}')}"
@@ -171,10 +219,8 @@ def _surfaces(outcome: Outcome, scene: Scene) -> list[str]:
     if not outcome.is_of_clouds or not outcome.has_pose:
         return []
     body = _draw(distances_figure(scene), "distances") + _note(words.distances(scene) + ".")
-    return [
-        _section("Distances after alignment", body),
-        _section("What the surfaces determine", _table(words.weak_rows(outcome))),
-    ]
+    body += f"<h2>What the surfaces determine</h2>{_table(words.weak_rows(outcome))}"
+    return [_section("Distances after alignment", body)]
 
 
 def _options(outcome: Outcome) -> str:
@@ -185,7 +231,7 @@ def _options(outcome: Outcome) -> str:
         )
     return (
         _table(words.in_use_rows(outcome))
-        + f"<details><summary>{len(defaults)} options left as they are</summary>"
+        + f"<details><summary>{len(defaults)} options at their defaults</summary>"
         + f"{_table(defaults)}</details>"
     )
 
@@ -194,8 +240,15 @@ def _pose(outcome: Outcome) -> str:
     table = _table(words.pose_rows(outcome))
     if not outcome.has_pose:
         return table
-    rows = "\n".join("".join(f"{value:14.8f}" for value in row) for row in outcome.matrix())
-    return f'{table}<pre class="matrix" id="matrix">{rows}</pre>'
+    numbers = [[f"{value:.8f}" for value in row] for row in outcome.matrix()]
+    widths = [max(map(len, column)) for column in zip(*numbers, strict=True)]
+    lines = [
+        "  ".join(number.rjust(width) for number, width in zip(row, widths, strict=True))
+        for row in numbers
+    ]
+    # the style takes the size of the letters from their number: a phone shows all four columns
+    style, text = f"--columns: {len(lines[0])}", "\n".join(lines)
+    return f'{table}<pre class="matrix" id="matrix" style="{style}">{text}</pre>'
 
 
 def _residuals(outcome: Outcome, scene: Scene) -> str:

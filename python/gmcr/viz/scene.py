@@ -212,10 +212,9 @@ def make_scene(
 def weak_segment(scene: Scene, direction: WeakDirection) -> Floats:
     """Both ends, (2, 3), of the axis of a turn, or of a shift, through the middle of the target."""
     target = scene.target_cloud
-    axis = direction.turn if direction.turn.any() else direction.shift
     reach = 0.6 * float(np.ptp(target, axis=0).max()) if len(target) else 1.0
     centre = target.mean(axis=0) if len(target) else np.zeros(3)
-    ends: Floats = centre + reach * np.outer([-1, 1], axis)
+    ends: Floats = centre + reach * np.outer([-1, 1], direction.axis)
     return ends
 
 

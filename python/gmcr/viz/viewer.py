@@ -15,7 +15,12 @@ from .scene import Sample, Scene, weak_segment
 
 # Edges of the consensus graph that are drawn; what is left out is said.
 _MAX_EDGES = 2000
-_PANEL_WIDTH = 400  # pixels
+# Pixels.
+_DETAILS_WIDTH = 400
+_MAIN_WIDTH = 340
+_MARGIN = 12
+# Width over height of a picture in which the camera sees the target from where it stands.
+_WIDE = 0.8
 
 
 def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserServer:
@@ -37,17 +42,31 @@ def serve(outcome: Outcome, scene: Scene, host: str, port: int) -> viser.ViserSe
     """
     server = viser.ViserServer(host=host, port=port, label="gmcr", verbose=False)
     size = _extent(scene)
-    server.gui.main_panel.dock_right()
-    server.gui.main_panel.set_width(_PANEL_WIDTH)
-    server.gui.add_markdown(_summary(outcome, scene))
     nodes = _add_nodes(server, scene, 1.0 if outcome.has_pose else 0.0, size)
     _add_weak_directions(server, outcome, scene, nodes)
+    server.gui.add_markdown(f"**{words.headline(outcome).text}** {words.reason(outcome)}")
     if outcome.has_pose:
         _add_poses(server, outcome, scene, nodes)
-    boxes = _add_toggles(server, nodes)
-    _add_distances(server, scene, nodes["source"].point_size, boxes["source"])
+    with _details(server):
+        server.gui.add_markdown(_summary(outcome, scene))
+        boxes = _add_toggles(server, nodes)
+        _add_distances(server, scene, nodes["source"].point_size, boxes["source"])
     _look_at_target(server, scene, size)
     return server
+
+
+def _details(server: viser.ViserServer) -> viser.GuiTabHandle:
+    """Where all but the verdict and the motion stands: beside the scene, on phones behind a bar.
+
+    There viser opens its main panel over the scene, up to three fifths of it and whatever the
+    server says, and other panels only when touched. So the main one is kept short; elsewhere it
+    floats in the corner.
+    """
+    server.gui.main_panel.float(x=_MARGIN, y=_MARGIN, width=_MAIN_WIDTH)
+    details = server.gui.add_panel()
+    details.dock_right()
+    details.set_width(_DETAILS_WIDTH)
+    return details.add_tab("Details")
 
 
 def _extent(scene: Scene) -> float:
@@ -128,7 +147,7 @@ def _add_poses(
 ) -> None:
     """The way of the source, and where there are other poses, which one it goes to."""
     slider = server.gui.add_slider("before / after", 0.0, 1.0, 0.01, 1.0)
-    scenes = {"returned": scene}
+    scenes = {f"returned: {outcome.consensus}": scene}
     for index, pose in enumerate(outcome.others, 1):
         scenes[f"{index}: {pose.words}"] = scene.moved_by(pose)
     choice = server.gui.add_dropdown("pose", tuple(scenes)) if outcome.others else None
@@ -197,14 +216,21 @@ def _look_at_target(server: viser.ViserServer, scene: Scene, size: float) -> Non
     target = scene.target_cloud
     centre = target.mean(axis=0) if len(target) else np.zeros(3)
     server.initial_camera.look_at = tuple(centre)
-    server.initial_camera.position = tuple(centre + size * np.array([0.8, -1.0, 0.65]))
+    away = size * np.array([0.8, -1.0, 0.65])
+    server.initial_camera.position = tuple(centre + away)
     server.initial_camera.near = size / 1000
     server.initial_camera.far = size * 1000
 
+    @server.on_client_connect
+    def step_back(client: viser.ClientHandle) -> None:
+        # the field of view is that of the height, so that a phone held upright sees less
+        if client.camera.aspect < _WIDE:
+            client.camera.position = tuple(centre + away * _WIDE / client.camera.aspect)
+            client.camera.look_at = tuple(centre)  # which moves with the position
+
 
 def _summary(outcome: Outcome, scene: Scene) -> str:
-    rows = [(words.headline(outcome).text, words.reason(outcome))]
-    rows += words.result_rows(outcome) + words.pose_rows(outcome)
+    rows = words.result_rows(outcome) + words.pose_rows(outcome)
     if outcome.is_of_clouds and outcome.has_pose:
         rows += [*words.weak_rows(outcome), ("distances", words.distances(scene))]
     rows += words.in_use_rows(outcome)

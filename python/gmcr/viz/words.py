@@ -64,8 +64,9 @@ def pose_rows(outcome: Outcome) -> Rows:
 
 
 def result_rows(outcome: Outcome) -> Rows:
-    """What was found: label and text of each line."""
-    return _rows(outcome, about_pose=False)
+    """What was found, but for the verdict where that is the headline: label and text."""
+    rows = _rows(outcome, about_pose=False)
+    return [row for row in rows if row[0] != "verdict" or headline(outcome).label != "verdict"]
 
 
 def in_use_rows(outcome: Outcome) -> Rows:
@@ -75,7 +76,7 @@ def in_use_rows(outcome: Outcome) -> Rows:
 
 
 def default_rows(outcome: Outcome) -> Rows:
-    """The options that were left as they are: name and value of each."""
+    """The options at their defaults: name and value of each."""
     given = _given(outcome)
     return [
         (name, _value(value))
