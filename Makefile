@@ -34,7 +34,7 @@ test: build/.packages-test
 	  wait $$requirements || { cat build/venv.log; exit 1; }
 	@ctest --preset release -j2
 	@tools/make_venv
-	@build/venv/bin/python -m pytest -q -n 2 tests/python
+	@build/venv/bin/python -m pytest -q -n 2 --dist loadfile tests/python
 
 # clang-format, headers alone, ruff, mypy, clang-tidy, or those of them that GATES names
 lint: build/.packages-test build/.packages-bench
