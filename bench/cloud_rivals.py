@@ -7,6 +7,8 @@ Both start from the same clouds in memory and end with a refined pose. KISS-Matc
 0.3 m, so its clouds are scaled to ours; small_gicp (GICP) follows with search radii of 3 and 1
 voxels. The rival's time is the sum of the stages that KISS-Matcher reports, without how its
 bindings convert lists, and the wall time of small_gicp. Methods take turns; a record has medians.
+From files: with the time that each takes to read the pair, gmcr by its own reader, the rival by
+that of small_gicp.
 
 Needs the package (tools/make_venv), kiss-matcher and small_gicp beside it, and the real data:
 $GMCR_DATA, else ../shared/data. Prints a table in Markdown, and writes it into the page.
@@ -46,12 +48,14 @@ class Pair:
     target: np.ndarray
     truth: Pose
     voxel: float  # metres, as ours is chosen
+    paths: tuple[Path, Path]
 
 
 @dataclass(frozen=True)
 class Run:
     matrix: np.ndarray | None  # (4, 4) target from source, metres; None: no pose
     seconds: float
+    seconds_reading: float = 0
     verdict: str = ""
 
 
@@ -91,7 +95,8 @@ def main() -> int:
 
 
 def load(folder: Path) -> Pair:
-    source, target = (read_points(folder / f"{side}.ply") for side in ("source", "target"))
+    paths = (folder / "source.ply", folder / "target.ply")
+    source, target = map(read_points, paths)
     truth = read_pose(folder / "T_target_source.txt")
     angle = np.degrees(np.arccos(np.clip((np.trace(truth.rotation) - 1) / 2, -1, 1)))
     if angle < 0.5 and np.linalg.norm(truth.translation) < 0.1:
@@ -101,7 +106,15 @@ def load(folder: Path) -> Pair:
         truth = Pose(1.0, truth.rotation @ turn.T, truth.translation)
     voxel = gmcr.match(source, target).target_voxel_size
     name = f"{folder.parent.name}/{folder.name}"
-    return Pair(name, np.ascontiguousarray(source), np.ascontiguousarray(target), truth, voxel)
+    clouds = (np.ascontiguousarray(source), np.ascontiguousarray(target))
+    return Pair(name, *clouds, truth, voxel, paths)
+
+
+def seconds_of(read: Callable[[str], Any], pair: Pair) -> float:
+    start = time.perf_counter()
+    for path in pair.paths:
+        read(str(path))
+    return time.perf_counter() - start
 
 
 def run_gmcr(pair: Pair, num_threads: int) -> Run:
@@ -111,13 +124,14 @@ def run_gmcr(pair: Pair, num_threads: int) -> Run:
     registration = result.registration
     has_pose = registration.status in ("ok", "degenerate")
     matrix = np.array(result.matrix()) if has_pose else None
-    return Run(matrix, seconds, str(result.verdict))
+    return Run(matrix, seconds, seconds_of(gmcr.io.read_points, pair), str(result.verdict))
 
 
 def run_rival(pair: Pair, num_threads: int) -> Run:
     import kiss_matcher
     import small_gicp
 
+    seconds_reading = seconds_of(small_gicp.read_ply, pair)
     unit = pair.voxel / KISS_VOXEL
     source, target = (cloud / unit for cloud in (pair.source, pair.target))
     lists = [list(cloud.astype(np.float32)) for cloud in (source, target)]
@@ -131,7 +145,7 @@ def run_rival(pair: Pair, num_threads: int) -> Run:
         + matcher.get_rejection_time()
     )
     if not solution.valid:  # there was nothing to solve
-        return Run(None, seconds)
+        return Run(None, seconds, seconds_reading)
     seconds += matcher.get_solver_time()
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = np.array(solution.rotation), np.array(solution.translation)
@@ -147,7 +161,7 @@ def run_rival(pair: Pair, num_threads: int) -> Run:
     seconds += time.perf_counter() - start
     pose = np.array(pose)
     pose[:3, 3] *= unit
-    return Run(pose, seconds)
+    return Run(pose, seconds, seconds_reading)
 
 
 def measure(
@@ -166,6 +180,7 @@ def record_of(pair: Pair, method: str, runs: Sequence[Run]) -> dict[str, Any]:
         "method": method,
         "num_points": [len(pair.source), len(pair.target)],
         "seconds": median(run.seconds for run in runs),
+        "seconds_reading": median(run.seconds_reading for run in runs),
         "verdict": runs[-1].verdict,
         "success": False,
     }
@@ -208,11 +223,17 @@ def table(records: Sequence[dict[str, Any]]) -> str:
         lines.append(
             "| " + " | ".join([ours["scenario"], *times, f"{ratios[-1]:.2f}", *cells]) + " |"
         )
+    from_files = [
+        (ours["seconds"] + ours["seconds_reading"])
+        / (theirs["seconds"] + theirs["seconds_reading"])
+        for ours, theirs in pairs
+    ]
     both = [pair for pair in pairs if pair[0]["success"] and pair[1]["success"]]
     lines.append("")
     lines.append(
         f"Ratio of the times: median {median(ratios):.2f}, {min(ratios):.2f} to {max(ratios):.2f}; "
-        f"above 1 on {sum(ratio > 1 for ratio in ratios)} of {len(ratios)}. "
+        f"above 1 on {sum(ratio > 1 for ratio in ratios)} of {len(ratios)}; from files "
+        f"{median(from_files):.2f} in the median. "
         f"Right: {sum(p[0]['success'] for p in pairs)} and {sum(p[1]['success'] for p in pairs)}. "
         f"Median error of the {len(both)} that both get right: "
         f"{100 * median(p[0]['error_of_extent'] for p in both):.3f} and "
