@@ -184,7 +184,7 @@ struct SimilarFeatures {
 };
 
 TEST(FeaturesInPlaces, KeepNearlyAllMatchesThatAllWithAllFinds) {
-  const SimilarFeatures features(6000);
+  const SimilarFeatures features(10000);  // more than are compared between two looks at the clock
   MatchingOptions all{true, 1, 0}, in_places = all;
   in_places.most_pairs = 0;
   const auto right = [&](const MatchingOptions& options) {
@@ -194,7 +194,7 @@ TEST(FeaturesInPlaces, KeepNearlyAllMatchesThatAllWithAllFinds) {
                          [](const FeatureMatch& match) { return match.source == match.target; });
   };
   const auto by_all = right(all), by_places = right(in_places);
-  EXPECT_GT(by_all, 3000);
+  EXPECT_GT(by_all, 4000);
   EXPECT_GE(static_cast<double>(by_places), 0.99 * static_cast<double>(by_all));
 }
 

@@ -21,6 +21,7 @@ constexpr int kPlacesOfSource = 12;
 // k-means on some of the targets, a place, which change little after two rounds.
 constexpr Index kLearntFrom = 16;
 constexpr int kPlaceRounds = 2;
+constexpr Index kBetweenLooks = 8192;  ///< features, at the clock
 
 /// At most `count` columns, spread evenly.
 Features spread_selection(const Features& features, Index count) {
@@ -83,13 +84,18 @@ struct PlacedTargets {
   std::vector<std::vector<Index>> members;  ///< of each, ascending; never none
 };
 
-PlacedTargets place(const Features& targets, int num_threads) {
+/// The deadline leaves out the targets that have no place yet.
+PlacedTargets place(const Features& targets, int num_threads, const parallel::Deadline& deadline) {
   const Features learnt = learn_places(targets, num_threads);
   std::vector<std::vector<Index>> members(static_cast<std::size_t>(learnt.cols()));
-  const DescriptorMatches nearest = nearest_places(targets, learnt, 1, num_threads);
-  for (std::size_t k = 0; k < nearest.target_indices.size(); ++k) {
-    members[static_cast<std::size_t>(nearest.target_indices[k])].push_back(
-        nearest.source_indices[k]);
+  for (Index first = 0; first < targets.cols() && !deadline.expired(); first += kBetweenLooks) {
+    const Index count = std::min(kBetweenLooks, targets.cols() - first);
+    const DescriptorMatches nearest =
+        nearest_places(targets.middleCols(first, count), learnt, 1, num_threads);
+    for (std::size_t k = 0; k < nearest.target_indices.size(); ++k) {
+      members[static_cast<std::size_t>(nearest.target_indices[k])].push_back(
+          first + nearest.source_indices[k]);
+    }
   }
   PlacedTargets placed;
   std::vector<Index> kept;
@@ -108,9 +114,15 @@ struct Visit {
   std::size_t answer;
 };
 
+/// The nearest so far, and how near the sources of the targets are.
+struct Nearest {
+  NearestBothWays both_ways;
+  std::vector<std::int32_t> squared_distances;  ///< of the targets
+};
+
 /// Compares the visitors of a place, which ascend, with its members.
 void compare(const Features& source, const std::vector<Visit>& visits, const Features& target,
-             const std::vector<Index>& members, double resolution, NearestBothWays& nearest,
+             const std::vector<Index>& members, double resolution, Nearest& nearest,
              std::vector<NearestFeature>& answers) {
   std::vector<Index> visitors;
   for (const Visit& visit : visits) visitors.push_back(visit.source);
@@ -128,27 +140,25 @@ void compare(const Features& source, const std::vector<Visit>& visits, const Fea
     }
   }
   for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto visitor = static_cast<std::size_t>(of_targets.indices[k]);
-    nearest.of_target[static_cast<std::size_t>(members[k])] =
-        static_cast<std::int32_t>(visitors[visitor]);
+    const auto member = static_cast<std::size_t>(members[k]);
+    if (of_targets.squared_distances[k] >= nearest.squared_distances[member]) continue;
+    nearest.squared_distances[member] = of_targets.squared_distances[k];
+    nearest.both_ways.of_target[member] =
+        static_cast<std::int32_t>(visitors[static_cast<std::size_t>(of_targets.indices[k])]);
   }
 }
 
-}  // namespace
-
-NearestBothWays nearest_in_places(const Features& source, const Features& target, double resolution,
-                                  int num_threads, const parallel::Deadline& deadline) {
-  const PlacedTargets placed = place(target, num_threads);
+/// Compares the sources [first, first + count) with the places that are nearest to them.
+void compare(const Features& source, Index first, Index count, const Features& target,
+             const PlacedTargets& placed, double resolution, int num_threads,
+             const parallel::Deadline& deadline, Nearest& nearest) {
   const DescriptorMatches visited =
-      nearest_places(source, placed.places, kPlacesOfSource, num_threads);
+      nearest_places(source.middleCols(first, count), placed.places, kPlacesOfSource, num_threads);
   std::vector<std::vector<Visit>> visits(placed.members.size());
   for (std::size_t k = 0; k < visited.target_indices.size(); ++k) {
     visits[static_cast<std::size_t>(visited.target_indices[k])].push_back(
-        {visited.source_indices[k], k});
+        {first + visited.source_indices[k], k});
   }
-
-  NearestBothWays nearest{std::vector<NearestFeature>(static_cast<std::size_t>(source.cols())),
-                          std::vector<std::int32_t>(static_cast<std::size_t>(target.cols()), -1)};
   std::vector<NearestFeature> answers(visited.target_indices.size());
   // a place is compared by one thread, and its members are of no other
   parallel::parallel_for(
@@ -158,17 +168,31 @@ NearestBothWays nearest_in_places(const Features& source, const Features& target
           compare(source, visits[k], target, placed.members[k], resolution, nearest, answers);
         }
       });
-
-  std::vector<char> is_missing(nearest.of_source.size(), 0);
+  std::vector<NearestFeature>& of_source = nearest.both_ways.of_source;
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    const auto i = static_cast<std::size_t>(visited.source_indices[k]);
-    if (answers[k].index < 0) is_missing[i] = 1;
-    nearest.of_source[i] = merged(nearest.of_source[i], answers[k]);
+    const auto i = static_cast<std::size_t>(first + visited.source_indices[k]);
+    of_source[i] = merged(of_source[i], answers[k]);
   }
-  for (std::size_t i = 0; i < is_missing.size(); ++i) {
-    if (is_missing[i] != 0) nearest.of_source[i] = {};
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (answers[k].index >= 0) continue;
+    of_source[static_cast<std::size_t>(first + visited.source_indices[k])] = {};
   }
-  return nearest;
+}
+
+}  // namespace
+
+NearestBothWays nearest_in_places(const Features& source, const Features& target, double resolution,
+                                  int num_threads, const parallel::Deadline& deadline) {
+  const PlacedTargets placed = place(target, num_threads, deadline);
+  const auto num_targets = static_cast<std::size_t>(target.cols());
+  Nearest nearest{{std::vector<NearestFeature>(static_cast<std::size_t>(source.cols())),
+                   std::vector<std::int32_t>(num_targets, -1)},
+                  std::vector<std::int32_t>(num_targets, NearestFeature::kNone)};
+  for (Index first = 0; first < source.cols() && !deadline.expired(); first += kBetweenLooks) {
+    const Index count = std::min(kBetweenLooks, source.cols() - first);
+    compare(source, first, count, target, placed, resolution, num_threads, deadline, nearest);
+  }
+  return std::move(nearest.both_ways);
 }
 
 }  // namespace gmcr::frontend
