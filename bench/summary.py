@@ -19,6 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 RECORDS = ROOT / "docs/benchmarks"
 PAGE = ROOT / "BENCHMARK.md"
+COMPARED = ("success %", "median ms", "median error")  # theirs against ours
 RIVALS = ("KISS-Matcher", "FGR (Open3D)", "RANSAC (Open3D)", "RANSAC10k")
 
 Row = dict[str, str]
@@ -202,16 +203,26 @@ def losses(records: Records) -> str:
     """Each group of runs in which a rival beats us, and in how many counting does."""
     rows = records.rows("Where we lose", "how")
     rivals = [row for row in rows if row["method"] in RIVALS]
-    lines = [
-        f"- **{row['method']}**, {row['how']}: {row['experiment']}, {row['where']}: right "
-        f"{row['success %']} %, {row['median ms']} ms, error {row['median error']}"
+    cells = [
+        [
+            row["method"], row["how"], f"{row['experiment']}: {_brief(row['where'])}",
+            *(row[name].replace(" against ", " / ") for name in COMPARED),
+        ]
         for row in rivals
-    ]
+    ]  # fmt: skip
     own = len(rows) - len(rivals)
-    lines.append(
-        f"- Our own other methods, the plain count and the paper's stages: {own} groups more."
+    return (
+        markdown(["method", "", "where", "right, %", "ms", "error"], cells)
+        + f"\n\nOur own other methods, the plain count and the paper's stages: {own} groups more."
     )
-    return "\n".join(lines)
+
+
+def _brief(where: str) -> str:
+    """A group of runs without the names of those fields that its values tell."""
+    rate = r"outlier_rate ([\d.]+)"
+    said = re.sub(rate, lambda found: f"{100 * float(found[1]):g} % wrong", where)
+    said = re.sub(r"bound_factor ([\d.]+)", r"\1 x the bound", said)
+    return re.sub(r"\b(?:kind|setting|set|scan) ", "", said)
 
 
 def teaser(records: Records) -> str:
@@ -254,7 +265,7 @@ on {computer}; the rest by `make bench` on the same machine.
 
 ## Where we lose
 
-Theirs against ours, of all groups of runs (median errors in degrees for noise, else metres):
+Theirs / ours, of all groups of runs (medians; errors in degrees for noise, else metres):
 
 {losses(records)}
 

@@ -17,10 +17,21 @@ from pathlib import Path
 from typing import Any
 
 import gmcr
-from cpp_reference import reference as cpp_reference
 
 ROOT = Path(__file__).resolve().parents[1]
 SUMMARY = ROOT / "BENCHMARK.md"  # beside docs/, but a page of the site
+_CPP = """# C++ and C reference
+
+Made from the public headers by Doxygen; the [guide](../cpp.md) says where to start.
+
+| look it up in | what is there |
+|---|---|
+| [namespace `gmcr`](cpp/namespacegmcr.html) | functions: what they need, return, throw, cost |
+| [classes](cpp/annotated.html) | options, results, graphs, prepared clouds and maps |
+| [all members](cpp/functions.html) | every option and field by name |
+| [headers](cpp/files.html) | the files of `include/` |
+| [`gmcr.h`](cpp/gmcr_8h.html) | the C interface |
+"""
 _ARRAY = re.compile(r"(?<!\])\[(\d+|6 or 7|)\]\[([^\]]*)\]")  # "[3][3]", no link
 _LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 
@@ -120,6 +131,22 @@ def python_reference(pages: Path) -> None:
     )
 
 
+def cpp_reference(pages: Path) -> None:
+    """The reference of the public headers, by Doxygen, and the page that leads to it."""
+    if not shutil.which("doxygen"):
+        raise RuntimeError("the C++ reference is made by doxygen: apt-get install doxygen")
+    out = pages / "reference/cpp"
+    out.mkdir()
+    given = {"OUT": str(out), "VERSION": gmcr.__version__, "INCLUDE": str(ROOT / "include")}
+    done = subprocess.run(
+        ["doxygen", ROOT / "site/Doxyfile"],
+        capture_output=True, text=True, env={**os.environ, **given},
+    )  # fmt: skip
+    if done.returncode:
+        raise RuntimeError(done.stdout + done.stderr)
+    (pages / "reference/cpp.md").write_text(_CPP)
+
+
 def build(out: Path, tool: Path) -> Path:
     """Builds the site.
 
@@ -135,7 +162,7 @@ def build(out: Path, tool: Path) -> Path:
     (pages / "reference").mkdir()
     (pages / "reference/cli.md").write_text(command_line(tool))
     (pages / "reference/options.md").write_text(options())
-    (pages / "reference/cpp.md").write_text(cpp_reference(ROOT / "include/gmcr"))
+    cpp_reference(pages)
     python_reference(pages)
     (out / "package").symlink_to(Path(gmcr.__file__).parents[1])
     shutil.copy(ROOT / "site/mkdocs.yml", out)

@@ -9,7 +9,8 @@ from statistics import median
 from reports.markdown import milliseconds, table
 from reports.records import group_by
 
-from paper.figures.style import STYLES, methods_of
+from paper.figures.style import methods_of
+from paper.methods import look_of
 from paper.statistics import (
     errors,
     mean_and_deviation,
@@ -26,7 +27,7 @@ def of_method(records: Records, method: str) -> list[dict]:
 
 
 def label_of(method: str) -> str:
-    return STYLES[method][0]
+    return look_of(method).label
 
 
 def number(value: float, digits: int = 3) -> str:

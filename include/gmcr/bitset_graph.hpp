@@ -42,8 +42,8 @@ struct ZeroedAllocator {
 /// Memory: `bytes_required(n)`, about n^2 / 8.
 class BitsetGraph {
  public:
-  using Word = std::uint64_t;
-  static constexpr Index kBitsPerWord = 64;
+  using Word = std::uint64_t;                ///< bit j of word i: vertex 64 i + j
+  static constexpr Index kBitsPerWord = 64;  ///< vertices of a `Word`
 
   /// Graph without edges.
   /// @throws std::invalid_argument where `num_vertices` < 0.
@@ -52,10 +52,11 @@ class BitsetGraph {
   /// Bytes that the adjacency of a graph with `num_vertices` vertices takes.
   static std::size_t bytes_required(Index num_vertices);
 
-  Index num_vertices() const { return num_vertices_; }
-  Index words_per_row() const { return words_per_row_; }
-  Index num_edges() const;
-  Index degree(Index v) const;
+  Index num_vertices() const { return num_vertices_; }    ///< they are 0 to this - 1
+  Index words_per_row() const { return words_per_row_; }  ///< length of `row`
+  Index num_edges() const;                                ///< counted: O(n^2 / 64)
+  Index degree(Index v) const;                            ///< counted: O(n / 64)
+  /// Whether u and v are neighbours; both in range, which is not checked.
   bool has_edge(Index u, Index v) const {
     return (row(u)[static_cast<std::size_t>(v / kBitsPerWord)] >> (v % kBitsPerWord)) & 1u;
   }
@@ -64,6 +65,7 @@ class BitsetGraph {
   /// @throws std::invalid_argument where u == v or a vertex is out of range.
   void add_edge(Index u, Index v);
 
+  /// Neighbours of v, one bit each.
   std::span<const Word> row(Index v) const {
     return {words_.data() + v * words_per_row_, static_cast<std::size_t>(words_per_row_)};
   }

@@ -29,9 +29,9 @@ struct DescriptorMatching {
 
 /// Pairs of columns: source ascending, for each source nearest first.
 struct DescriptorMatches {
-  std::vector<Index> source_indices;
-  std::vector<Index> target_indices;
-  std::vector<double> distances;  ///< Euclidean, or the number of bits that differ
+  std::vector<Index> source_indices;  ///< columns of the source
+  std::vector<Index> target_indices;  ///< columns of the target, one a source index
+  std::vector<double> distances;      ///< Euclidean, or the number of bits that differ
 };
 
 /// Nearest neighbours of descriptors by Euclidean distance, such as learned features: matches for

@@ -43,7 +43,7 @@ struct FrontendOptions {
   /// `Options::noise_bound` is 0.
   double noise_bound_voxels = 1.5;
 
-  NormalOrientation orientation = NormalOrientation::Automatic;
+  NormalOrientation orientation = NormalOrientation::Automatic;  ///< sides of the normals
   /// Where the sensor was, metres, source frame. With the automatic orientation the origin is taken
   /// for it only where it lies within five extents of the cloud.
   Eigen::Vector3d source_viewpoint = Eigen::Vector3d::Zero();
@@ -121,7 +121,7 @@ struct SurfaceFit {
 
 /// Another pose of the surfaces that was looked at, refined alike.
 struct RivalPose {
-  Similarity target_from_source;
+  Similarity target_from_source;  ///< refined like the pose that is returned
   double overlap = 0;  ///< over that of the pose that is returned: near 1, the surfaces fit as well
   bool is_symmetry = false;  ///< the source lies where it lies at the pose that is returned
 };
@@ -134,14 +134,15 @@ struct JudgedVoxels {
   double target_voxel_size = 0;  ///< metres, target frame
 };
 
+/// What a registration of two clouds found.
 struct CloudResult {
   /// Pose and inliers; `inliers` index the columns of `matches.source`. Its diagnostics hold the
   /// stages of the front end too, summed over the attempts.
   Result registration;
-  CloudMatches matches;
+  CloudMatches matches;         ///< those that the pose comes from, of the attempt that won
   Index num_source_points = 0;  ///< as given; `matches` holds the clouds after the voxel grid
-  Index num_target_points = 0;
-  JudgedVoxels voxels;  ///< of the surfaces, whatever voxels the matches are of
+  Index num_target_points = 0;  ///< as given
+  JudgedVoxels voxels;          ///< of the surfaces, whatever voxels the matches are of
   /// Share of `voxels.source` with a point of `voxels.target` within one voxel of the target after
   /// the transform, in [0, 1]; 0 without a pose.
   double fitness = 0;
@@ -155,8 +156,8 @@ struct CloudResult {
   Verdict verdict = Verdict::Untrusted;
   std::string verdict_reason;  ///< one sentence
   int num_attempts = 0;        ///< front-end settings that were tried
-  Refinement refinement;
-  SurfaceFit surfaces;  ///< of the pose
+  Refinement refinement;       ///< what the alignment of the surfaces did
+  SurfaceFit surfaces;         ///< of the pose
   /// Whether the mirrored source was matched alike and has clearly less evidence, so that the
   /// surfaces lie apart by the noise of the sensor, not because one of the clouds is left-handed.
   bool mirrored_is_worse = false;

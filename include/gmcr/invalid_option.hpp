@@ -18,8 +18,8 @@ class InvalidOption : public std::invalid_argument {
         option_(std::move(option)),
         problem_(std::move(problem)) {}
 
-  const std::string& option() const { return option_; }
-  const std::string& problem() const { return problem_; }
+  const std::string& option() const { return option_; }    ///< as given to the constructor
+  const std::string& problem() const { return problem_; }  ///< as given to the constructor
 
  private:
   std::string option_;

@@ -21,9 +21,9 @@ class IoError : public std::runtime_error {
   /// @param line  counted from 1; 0 where the error belongs to no line.
   IoError(const std::filesystem::path& path, std::size_t line, const std::string& reason);
 
-  const std::filesystem::path& path() const { return path_; }
-  std::size_t line() const { return line_; }
-  const std::string& reason() const { return reason_; }
+  const std::filesystem::path& path() const { return path_; }  ///< of the file
+  std::size_t line() const { return line_; }                   ///< from 1; 0: of no line
+  const std::string& reason() const { return reason_; }        ///< without path and line
 
  private:
   std::filesystem::path path_;
@@ -50,8 +50,8 @@ struct Cloud {
 
 /// Putative correspondences: source.col(i) -> target.col(i).
 struct Matches {
-  Points source;
-  Points target;
+  Points source;                     ///< 3 x N, metres, source frame
+  Points target;                     ///< 3 x N, metres, target frame
   std::vector<double> noise_bounds;  ///< metres, one a correspondence, or empty: not in the file
   // NOLINTNEXTLINE(readability-redundant-member-init): so that callers may leave it out
   std::vector<std::string> notes{};  ///< what had to be decided, as sentences

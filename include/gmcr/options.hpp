@@ -18,23 +18,28 @@ namespace GMCR_PUBLIC gmcr {
 
 /// Magnitudes that coordinates, noise bounds and scales may have: powers of them that a solve takes
 /// neither overflow nor vanish. A coordinate may be 0 as well. docs/reliability.md says more.
-inline constexpr double kLeastMagnitude = 1e-50, kLargestMagnitude = 1e50;
+inline constexpr double kLeastMagnitude = 1e-50;
+inline constexpr double kLargestMagnitude = 1e50;  ///< see `kLeastMagnitude`
 
+/// How the consensus is searched for.
 enum class Method {
   Gmcr,   ///< many candidates judged by the objective on all correspondences, with a certificate
   Paper,  ///< the stages of the paper: scale, rotation and translation, one maximum clique each
 };
 
+/// What is maximised.
 enum class Evidence {
   Distinct,  ///< correspondences that say the same thing twice share one vote
   Count,     ///< every inlier counts 1: plain maximum consensus
 };
 
+/// Whether the scale is one of the unknowns.
 enum class ScaleMode {
   Known,      ///< `Options::scale` is the scale
   Estimated,  ///< the scale is searched for, inside `Options::scale_range` if given
 };
 
+/// Where the noise bound comes from.
 enum class NoiseMode {
   Given,  ///< `Options::noise_bound` or `Options::noise_bounds`
   /// One bound for all is chosen from the data; the result says which and how surely. Both bounds
@@ -44,8 +49,8 @@ enum class NoiseMode {
 
 /// Closed interval of scales, 0 < min <= max.
 struct ScaleRange {
-  double min = 0;
-  double max = 0;
+  double min = 0;  ///< smallest scale
+  double max = 0;  ///< largest scale
 };
 
 /// How far a solve has come.
@@ -62,7 +67,7 @@ using ProgressCallback = std::function<bool(const Progress&)>;
 /// `max_translation`. Names, units and defaults are the same in Python and in the tool, which read
 /// them from `src/options/table.hpp`; what each means, and what it may be, stands there in words.
 struct Options : Priors {
-  NoiseMode noise_mode = NoiseMode::Given;
+  NoiseMode noise_mode = NoiseMode::Given;  ///< given below, or estimated
   /// Bound on the noise of a target point, metres, in the range above. Required where the noise is
   /// given, unless `noise_bounds` is.
   double noise_bound = 0;
@@ -70,13 +75,13 @@ struct Options : Priors {
   /// Empty: not used.
   std::vector<double> noise_bounds;
 
-  ScaleMode scale_mode = ScaleMode::Known;
-  double scale = 1;  ///< the scale when known, in the range above
+  ScaleMode scale_mode = ScaleMode::Known;  ///< `scale`, or estimated
+  double scale = 1;                         ///< the scale when known, in the range above
   /// Where to search when the scale is estimated; from the data when not given.
   std::optional<ScaleRange> scale_range;
 
-  Method method = Method::Gmcr;
-  Evidence evidence = Evidence::Distinct;
+  Method method = Method::Gmcr;            ///< ours, or the stages of the paper
+  Evidence evidence = Evidence::Distinct;  ///< what each inlier is worth
   /// Search for poses with at most one inlier of those that share a source or a target point. The
   /// inliers and the certificate still speak of all. Matches of clouds that share a target and are
   /// not mutual are thinned out to the one that is closest in feature space.

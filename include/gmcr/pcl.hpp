@@ -27,11 +27,11 @@ class PclRegistration : public pcl::Registration<PointSource, PointTarget, Scala
   using Base = pcl::Registration<PointSource, PointTarget, Scalar>;
 
  public:
-  using Matrix4 = typename Base::Matrix4;
-  using PointCloudSource = typename Base::PointCloudSource;
+  using Matrix4 = typename Base::Matrix4;                    ///< as in PCL
+  using PointCloudSource = typename Base::PointCloudSource;  ///< as in PCL
 
-  FrontendOptions frontend;
-  Options options;
+  FrontendOptions frontend;  ///< used by the next `align`
+  Options options;           ///< used by the next `align`
 
   PclRegistration() { this->reg_name_ = "gmcr"; }
 

@@ -19,7 +19,7 @@ struct GravityPrior {
 
 /// A pose that the transform is known to be near. Its scale is not used.
 struct InitialPose {
-  Similarity target_from_source;
+  Similarity target_from_source;  ///< what it is near
   double max_rotation = 0;  ///< radians in [0, pi]: largest angle of the rotation between the two
   /// Metres, >= 0; infinity: any. Largest distance of the two translations, which are the images of
   /// the origin of the source frame.
@@ -29,8 +29,8 @@ struct InitialPose {
 /// What is known of the transform beforehand. Only transforms that it admits are looked for, and
 /// the certificate speaks of these.
 struct Priors {
-  std::optional<GravityPrior> gravity;
-  std::optional<InitialPose> initial_pose;
+  std::optional<GravityPrior> gravity;      ///< which way is up, in both frames
+  std::optional<InitialPose> initial_pose;  ///< such as that of odometry
   double max_translation = std::numeric_limits<double>::infinity();  ///< metres, > 0, of |t|
 
   /// Whether nothing is known: every transform is admitted.

@@ -52,11 +52,12 @@ const char* to_string(Tone tone);
 
 /// A line of a report for people.
 struct ReportLine {
-  std::string label;  ///< empty: goes on about what the line above is about
-  std::string text;
-  Tone tone = Tone::Plain;
+  std::string label;        ///< empty: goes on about what the line above is about
+  std::string text;         ///< one line, units included
+  Tone tone = Tone::Plain;  ///< what to colour it by
 };
 
+/// How much a report says.
 enum class Detail {
   Brief,  ///< status, pose, inliers, certificate, what is doubtful, time
   Full,   ///< also the matrix, the uncertainty, the evidence, the alternatives, each stage

@@ -14,6 +14,7 @@
 
 namespace GMCR_PUBLIC gmcr {
 
+/// What a solve came to.
 enum class Status {
   Ok,  ///< `target_from_source` and `inliers` are the answer
   /// Fewer than 3, or than the priors leave to be determined: 2 where gravity or the rotation is
@@ -101,7 +102,8 @@ struct NoiseEstimate {
   double noise_bound = 0;
   /// Bounds over which the consensus is stable: a search with any of those that were tried between
   /// them leads to the same pose. Metres.
-  double stable_min = 0, stable_max = 0;
+  double stable_min = 0;
+  double stable_max = 0;  ///< see `stable_min`
   /// log10 of the expected number of consensus sets as large and as tight among random
   /// correspondences; the more negative, the surer. Above 0 chance explains it.
   double log10_false_alarms = 0;
@@ -109,14 +111,15 @@ struct NoiseEstimate {
 
 /// Another pose that many correspondences agree on.
 struct Alternative {
-  Similarity target_from_source;
-  std::vector<Index> inliers;  ///< as in `Result`
-  double evidence = 0;         ///< as in `Result`
+  Similarity target_from_source;  ///< as in `Result`
+  std::vector<Index> inliers;     ///< as in `Result`
+  double evidence = 0;            ///< as in `Result`
 };
 
+/// Wall time of a stage of the work.
 struct StageTime {
-  std::string name;
-  double seconds = 0;
+  std::string name;    ///< such as "clique"; `stage_in_words` says it for people
+  double seconds = 0;  ///< summed over all times it ran
 };
 
 /// What ended a part of the work before it was complete.
@@ -139,29 +142,30 @@ inline constexpr Limit kLimits[] = {
 
 /// A limit that made the work less than complete.
 struct LimitHit {
-  Limit limit = Limit::Time;
-  std::string sentence;  ///< what it ended, for people
+  Limit limit = Limit::Time;  ///< which
+  std::string sentence;       ///< what it ended, for people
 
-  bool operator==(const LimitHit&) const = default;
+  bool operator==(const LimitHit&) const = default;  ///< by both
 };
 
 /// What the solver did.
 struct Diagnostics {
   std::vector<StageTime> stages;  ///< in order of first use; times of repeated stages are summed
-  double total_seconds = 0;
-  Index num_correspondences = 0;       ///< in the input
-  Index num_used = 0;                  ///< that the priors admit
-  ScaleRange scale_range;              ///< scales that were searched; min == max: it was known
-  Index num_candidates = 0;            ///< poses judged on all correspondences
-  Index num_scale_ranges = 0;          ///< scale ranges whose graph was searched
+  double total_seconds = 0;       ///< wall time of the whole call
+  Index num_correspondences = 0;  ///< in the input
+  Index num_used = 0;             ///< that the priors admit
+  ScaleRange scale_range;         ///< scales that were searched; min == max: it was known
+  Index num_candidates = 0;       ///< poses judged on all correspondences
+  Index num_scale_ranges = 0;     ///< scale ranges whose graph was searched
   std::uint64_t num_clique_nodes = 0;  ///< search nodes of all clique searches
-  int num_threads = 0;
-  std::vector<LimitHit> limits_hit;  ///< each sentence once; empty: the work is complete
+  int num_threads = 0;                 ///< that worked
+  std::vector<LimitHit> limits_hit;    ///< each sentence once; empty: the work is complete
 };
 
+/// What a solve of correspondences found.
 struct Result {
-  Status status = Status::TooFewCorrespondences;
-  std::string status_reason;  ///< empty when Ok
+  Status status = Status::TooFewCorrespondences;  ///< whether there is a pose
+  std::string status_reason;                      ///< empty when Ok
   /// The likeliest transform near the one that holds the most (`Certificate`), from the residuals
   /// of all correspondences within 3 noise bounds: the most accurate one.
   Similarity target_from_source;
@@ -180,7 +184,7 @@ struct Result {
   /// Where the pose was found at another noise bound than the given one, as chance explains what
   /// agrees there, it speaks of that bound; `verdict_reason` names it.
   double log10_false_alarms = 0;
-  Certificate certificate;
+  Certificate certificate;  ///< how far from the best possible this can be
   /// Scales at which all pairs of inliers agree (L1); contains that of the transform. min == max
   /// where the scale is known; 0 to infinity where all inliers coincide in the source. Wider than
   /// said where the time budget ended the work.
@@ -191,7 +195,7 @@ struct Result {
   std::vector<Alternative> alternatives;
   /// Where the noise was to be estimated and there are at least 3 distinct correspondences.
   std::optional<NoiseEstimate> noise_estimate;
-  Diagnostics diagnostics;
+  Diagnostics diagnostics;  ///< stages, counts, limits that were hit
 
   /// Evidence of the best alternative over that of the result, in [0, 1]; near 1: ambiguous. 0
   /// where no alternative was found.

@@ -27,6 +27,7 @@ struct Similarity {
   /// Image of each column of a 3 x N matrix.
   Points apply(const PointsRef& points) const;
 
+  /// The transform back: `source_from_target`.
   Similarity inverse() const;
 
   /// 4 x 4 homogeneous matrix [scale * rotation, translation; 0 0 0 1].

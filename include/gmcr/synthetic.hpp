@@ -10,12 +10,14 @@
 
 namespace GMCR_PUBLIC gmcr {
 
+/// Which experiment a problem belongs to.
 enum class SyntheticKind {
   Ball,        ///< random outliers, uniform in the ball around the transformed cloud
   Random,      ///< random benchmark of the paper (Gentner et al. 2023, exp:mc_synth)
   Structured,  ///< structured benchmark of the paper (Gentner et al. 2023, sec:structured_exp)
 };
 
+/// Distribution of the noise of an inlier.
 enum class NoiseShape {
   Ball,      ///< uniform in the ball of radius `noise_extent`
   Gaussian,  ///< normal of sigma `noise_extent` / 3 an axis, cut off at the norm `noise_extent`
@@ -29,17 +31,17 @@ enum class NoiseShape {
 /// [-max_translation, max_translation]^3. Noise is added in the target frame, after the transform,
 /// because the paper's noise bound of 0.02 covers its noise of 0.01 an axis only so.
 struct SyntheticOptions {
-  SyntheticKind kind = SyntheticKind::Ball;
-  Index num_correspondences = 1000;  ///< >= 0
-  double outlier_rate = 0.5;         ///< in [0, 1]; round((1 - rate) * N), halves up, are inliers
-  std::uint64_t seed = 0;
+  SyntheticKind kind = SyntheticKind::Ball;  ///< where the outliers come from
+  Index num_correspondences = 1000;          ///< >= 0
+  double outlier_rate = 0.5;  ///< in [0, 1]; round((1 - rate) * N), halves up, are inliers
+  std::uint64_t seed = 0;     ///< same options, same seed: same bits
 
-  NoiseShape noise_shape = NoiseShape::Ball;
+  NoiseShape noise_shape = NoiseShape::Ball;  ///< of the target points
   double noise_extent = 0.01;  ///< metres, >= 0; its meaning depends on `noise_shape`
   /// Bound of the error of every inlier, metres, > 0; at least the largest norm of the noise.
   double noise_bound = 0.01;
 
-  ScaleRange scale_range{1, 1};
+  ScaleRange scale_range{1, 1};  ///< no unit
   double max_translation = 1.5;  ///< metres, >= 0
 
   // Random and Structured

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterable, Mapping
-from difflib import SequenceMatcher
+from difflib import SequenceMatcher, get_close_matches
 from typing import Any
 
 import numpy as np
@@ -62,6 +62,34 @@ def refuse_foreign(names: Iterable[str]) -> None:
             raise TypeError(f"{name!r} is no option: write {ELSEWHERE[name]}")
 
 
+#: How objects that have to be made are made.
+_MADE = {
+    "GravityPrior": "GravityPrior(source=[0, 0, 1], target=[0, 0, 1], max_tilt=0.03), the "
+    "direction in both frames and the angle in radians that it may be off",
+    "InitialPose": "InitialPose(target_from_source=pose, max_rotation=0.3, max_translation=2), "
+    "radians and metres",
+    "Similarity": "Similarity.from_matrix(matrix) for a matrix (4, 4), or "
+    "gmcr.Similarity(rotation=R, translation=t)",
+    "Options": "Options(noise_bound=0.05), metres",
+    "FrontendOptions": "FrontendOptions(voxel_size=0.1), metres",
+}
+
+
+def made_like(class_name: str) -> str:
+    """How an object of a class of this package is made, as one would write it."""
+    return _MADE.get(class_name, f"{class_name}(name=value)")
+
+
+def advice(name: str, known: Iterable[str]) -> str:
+    """What to write instead of a keyword that a class does not know, or nothing."""
+    known = list(known)
+    instead = ELSEWHERE.get(name, "")
+    if instead.partition("=")[0] in known:
+        return f": write {instead}"
+    close = get_close_matches(name, known, 1)
+    return f"; did you mean {close[0]!r}?" if close else ""
+
+
 def closeness(name: str, known: Iterable[str]) -> float:
     """How like the most similar of the known names a name is, in [0, 1]."""
     return max(SequenceMatcher(None, name, other).ratio() for other in known)
@@ -111,10 +139,7 @@ def refuse_misread(keywords: Mapping[str, Any]) -> None:
         raise TypeError("noise_bound: is one number; write noise_bounds=... for one a match")
     refuse_memory_in_words(keywords)
     if not isinstance(keywords.get("gravity"), GravityPrior | None):
-        raise TypeError(
-            "gravity: write gravity=gmcr.GravityPrior(source=[0, 0, 1], target=[0, 0, 1], "
-            "max_tilt=0.03), the direction in both frames and the angle that it may be off"
-        )
+        raise TypeError(f"gravity: write gravity=gmcr.{made_like('GravityPrior')}")
     scale_range = keywords.get("scale_range")
     if scale_range is not None:
         _check_range(scale_range, keywords)

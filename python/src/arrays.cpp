@@ -7,11 +7,12 @@ namespace {
 nb::object asarray(nb::handle value, const char* name, const char* kinds, const char* dtype) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   const nb::object array = numpy.attr("asarray")(value);
-  const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
+  const nb::object type = array.attr("dtype");
+  const auto kind = nb::cast<std::string>(type.attr("kind"));
   const bool is_empty = nb::cast<std::size_t>(array.attr("size")) == 0;
   if (!is_empty && std::string(kinds).find(kind) == std::string::npos) {
     throw std::invalid_argument(std::string(name) + ": expected numbers, but the dtype is " +
-                                nb::cast<std::string>(nb::str(array.attr("dtype"))));
+                                nb::cast<std::string>(nb::str(type)));
   }
   return numpy.attr("ascontiguousarray")(array, nb::arg("dtype") = dtype);
 }

@@ -16,9 +16,17 @@ namespace gmcr::python {
 
 /// "name: 'x' is not a number" and the like, for values of a wrong type.
 [[noreturn]] inline void refuse(const char* name, nb::handle value, const std::string& expected) {
-  throw nb::type_error(
-      (std::string(name) + ": " + nb::cast<std::string>(nb::repr(value)) + " is not " + expected)
-          .c_str());
+  constexpr std::size_t kLongest = 60;
+  auto shown = nb::cast<std::string>(nb::repr(value));
+  if (shown.size() > kLongest) {
+    shown = "a value of type " + nb::cast<std::string>(value.type().attr("__name__"));
+  }
+  throw nb::type_error((std::string(name) + ": " + shown + " is not " + expected).c_str());
+}
+
+/// How an object of a class is made, as one would write it: "Similarity(scale=1, ...)".
+inline std::string made_like(const std::string& class_name) {
+  return nb::cast<std::string>(nb::module_::import_("gmcr._hints").attr("made_like")(class_name));
 }
 
 /// How a field of type T looks in Python: its type in the stub, the value of a field, and the field
@@ -54,7 +62,9 @@ struct Convert {
     if constexpr (std::is_floating_point_v<T>) return "a number";
     if constexpr (std::is_unsigned_v<T>) return "a whole number >= 0";
     if constexpr (std::is_integral_v<T>) return "a whole number";
-    if constexpr (!std::is_arithmetic_v<T>) return type();
+    if constexpr (std::is_same_v<T, std::string>) return "a str";
+    if constexpr (!std::is_arithmetic_v<T>)
+      return "a gmcr." + type() + "; write gmcr." + made_like(type());
   }
 };
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <nanobind/stl/optional.h>
+
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -55,9 +58,13 @@ void add_pose_graph(nb::class_<T>& bound, ResultOf result_of) {
       "Evidence of the best alternative over that of the result; near 1: ambiguous.");
   bound.def(
       "pose_graph_covariance",
-      [result_of](const T& self, const std::string& convention) -> nb::object {
+      [result_of](const T& self, const std::optional<std::string>& convention) -> nb::object {
+        if (!convention) {
+          throw nb::type_error(
+              "pose_graph_covariance() needs the convention of the pose graph: 'gtsam' or 'ros'");
+        }
         if (convention != "gtsam" && convention != "ros") {
-          throw std::invalid_argument("convention: '" + convention + "' is not 'gtsam' or 'ros'");
+          throw std::invalid_argument("convention: '" + *convention + "' is not 'gtsam' or 'ros'");
         }
         const Result& result = result_of(self);
         if (!result.covariance) return nb::none();
@@ -66,7 +73,7 @@ void add_pose_graph(nb::class_<T>& bound, ResultOf result_of) {
                                   convention == "ros" ? PoseGraph::Ros : PoseGraph::Gtsam);
         return Convert<Eigen::MatrixXd>::to_python(matrix, nb::handle());
       },
-      nb::arg("convention"),
+      nb::arg("convention") = nb::none(),
       nb::sig("def pose_graph_covariance(self, convention: typing.Literal['gtsam', 'ros']) -> "
               "numpy.typing.NDArray[numpy.float64] | None"),
       "(6, 6) covariance of the rotation and the translation as a pose graph wants it, or None.\n\n"

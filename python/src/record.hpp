@@ -113,10 +113,7 @@ class Record {
     if (const auto found = gone.find(word); found != gone.end()) return ": " + found->second;
     nb::list names;
     for (const Field& field : fields) names.append(field.name);
-    const nb::object close =
-        nb::module_::import_("difflib").attr("get_close_matches")(word, names, 1);
-    if (nb::len(close) == 0) return "";
-    return "; did you mean '" + nb::cast<std::string>(nb::str(close[0])) + "'?";
+    return nb::cast<std::string>(nb::module_::import_("gmcr._hints").attr("advice")(word, names));
   }
 
   static std::string getter_signature(const Field& field) {
@@ -143,7 +140,12 @@ class Record {
   }
 
   auto initialiser() const {
-    return [fields = fields_, gone = gone_, name = name_](T* self, const nb::kwargs& keywords) {
+    return [fields = fields_, gone = gone_, name = name_](T* self, const nb::args& unnamed,
+                                                          const nb::kwargs& keywords) {
+      if (nb::len(unnamed) > 0) {
+        throw nb::type_error(
+            (name + "() takes keywords only; write gmcr." + made_like(name)).c_str());
+      }
       T value{};
       for (auto [keyword, given] : keywords) {
         const auto word = nb::cast<std::string>(keyword);

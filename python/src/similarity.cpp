@@ -62,8 +62,17 @@ void bind_similarity(nb::module_& module) {
            nb::sig("def apply(self, points: numpy.typing.ArrayLike) -> "
                    "numpy.typing.NDArray[numpy.float64]"),
            "Images of points, (N, 3), metres.")
-      .def("__matmul__",
-           [](const Similarity& self, const Similarity& other) { return self * other; });
+      .def(
+          "__matmul__",
+          [](const Similarity& self, nb::handle other) {
+            Similarity b_from_a;
+            if (nb::try_cast(other, b_from_a)) return self * b_from_a;
+            throw nb::type_error(
+                "a transform is composed by @ with a transform; write pose.apply(points) for "
+                "points "
+                "and gmcr.Similarity.from_matrix(matrix) for a matrix (4, 4)");
+          },
+          nb::sig("def __matmul__(self, other: Similarity) -> Similarity"));
   bind_metrics(module);
 }
 

@@ -303,6 +303,46 @@ MISTAKES = {
         ValueError,
         "source: expected the fields x, y and z, but there are u, v",
     ),
+    "a matrix for a transform": (
+        lambda: gmcr.Similarity(POSE),
+        TypeError,
+        r"^Similarity\(\) takes keywords only; write gmcr.Similarity.from_matrix\(matrix\)",
+    ),
+    "a matrix for a rough pose": (
+        lambda: gmcr.InitialPose(POSE),
+        TypeError,
+        r"^InitialPose\(\) takes keywords only; write gmcr.InitialPose\(target_from_source=",
+    ),
+    "a bound without its name": (
+        lambda: gmcr.Options(0.05),
+        TypeError,
+        r"^Options\(\) takes keywords only; write gmcr.Options\(noise_bound=0.05\)",
+    ),
+    "a matrix in options": (
+        lambda: gmcr.Options(initial_pose=POSE),
+        TypeError,
+        "^initial_pose: a value of type ndarray is not a gmcr.InitialPose; write gmcr.InitialPose",
+    ),
+    "another library's name in options": (
+        lambda: gmcr.Options(noise=1),
+        TypeError,
+        "keyword argument 'noise': write noise_bound=0.05",
+    ),
+    "a transform of points by @": (
+        lambda: gmcr.Similarity() @ POINTS,
+        TypeError,
+        r"write pose.apply\(points\) for points",
+    ),
+    "a covariance without its convention": (
+        lambda: bounded(POINTS, POINTS).pose_graph_covariance(),
+        TypeError,
+        "needs the convention of the pose graph: 'gtsam' or 'ros'",
+    ),
+    "words for points of a transform": (
+        lambda: gmcr.Similarity().apply(["x"]),
+        ValueError,
+        "^points: expected numbers, but the dtype is <U1",
+    ),
     "points where the pose belongs": (
         lambda: gmcr.evaluate_consensus(POINTS, POINTS, POSE, noise_bound=0.1),
         ValueError,

@@ -102,9 +102,23 @@ def test_the_references_hold_what_there_is(site):
     command_line = (site / "reference/cli.html").read_text()
     for option in ("--noise-bound", "--max-tilt", "--quiet"):
         assert option in command_line, option
-    cpp = (site / "reference/cpp.html").read_text()
-    for name in ("register_correspondences", "CliqueSolver", "IoError", "read_cloud"):
-        assert name in cpp, name
+
+
+def test_the_reference_of_the_headers_holds_what_is_public_and_nothing_else(site):
+    cpp = site / "reference/cpp"
+    functions = (cpp / "namespacegmcr.html").read_text()
+    for name in ("register_correspondences", "read_cloud", "localise_scan"):
+        assert f">{name}</a>" in functions, name
+    classes = (cpp / "annotated.html").read_text()
+    for name in ("CliqueSolver", "IoError", "CloudResult", "PreparedMap"):
+        assert f">{name}</a>" in classes, name
+    assert "gmcr_register_clouds" in (cpp / "gmcr_8h.html").read_text()
+    files = (cpp / "files.html").read_text()
+    for header in (ROOT / "include").rglob("*.h*"):
+        assert f"{header.name}<" in files, header
+    graph = (cpp / "classgmcr_1_1BitsetGraph.html").read_text()
+    assert "mutable_row" in graph and "words_per_row_" not in graph
+    assert not list(cpp.glob("*detail*"))
 
 
 def test_the_pictures_of_the_method_are_drawn_from_what_the_library_returns(tmp_path):

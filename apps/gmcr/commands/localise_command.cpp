@@ -14,7 +14,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kLocaliseExamples =
     R"(From no initial pose. Both frames have their z axis up, the scan's to 15 degrees, or --gravity says
 which axis is: of the scan, then of the map. The verdict speaks of the scan; the map need not be covered.
 
@@ -27,7 +27,7 @@ Examples:
   where it was is known to 20 m:
     gmcr localise scan.ply town.map.ply --initial-pose T0.txt --max-translation-error 20)";
 
-struct Arguments {
+struct LocaliseArguments {
   std::string scan;
   std::string map;
   FrontendOptions frontend;
@@ -40,13 +40,13 @@ struct Arguments {
   Verdict required = Verdict::Untrusted;
 };
 
-void check_outputs(const Arguments& arguments) {
+void check_outputs(const LocaliseArguments& arguments) {
   if (!arguments.transform.empty()) check_output(arguments.transform);
   if (!arguments.aligned.empty()) check_cloud_output(arguments.aligned);
 }
 
 /// Writes the files that need a pose, and returns their paths.
-std::vector<std::string> write_files(const Arguments& arguments, const InputFile& scan,
+std::vector<std::string> write_files(const LocaliseArguments& arguments, const InputFile& scan,
                                      const Result& registration) {
   std::vector<std::string> written;
   if (registration.status != Status::Ok) return written;
@@ -62,7 +62,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const InputFile
   return written;
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_localise(const LocaliseArguments& arguments) {
   Options options = arguments.solver.resolved();
   arguments.frontend.validate();
   check_outputs(arguments);
@@ -94,7 +94,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_localise_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<LocaliseArguments>();
   CLI::App& command = *app.add_subcommand("localise", "Where in a map a scan was taken");
   command.add_option("SCAN", arguments->scan, "Scan to place, or - for stdin")->required();
   command
@@ -123,8 +123,8 @@ void add_localise_command(CLI::App& app, Work& work) {
       ->type_name("CLOUD")
       ->group(kOutput);
   arguments->output.add_to(command);
-  command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.footer(kLocaliseExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run_localise(*arguments); }; });
 }
 
 }  // namespace gmcr::cli

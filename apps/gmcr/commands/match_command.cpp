@@ -12,21 +12,21 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kMatchExamples =
     R"(Voxel grid, normals, FPFH and mutual nearest neighbours, without the solver.
 
 Examples:
   gmcr match scan2.ply scan1.ply --voxel 0.05 -o matches.csv
   gmcr match a.bin b.bin --voxel 0.5 --max-ratio 0.9 -o matches.npy --json)";
 
-struct Arguments {
+struct MatchArguments {
   CloudArguments clouds;
   Options options;
   std::string matches;
   OutputArguments output;
 };
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_match(const MatchArguments& arguments) {
   check_matches_output(arguments.matches);
   const CloudFiles files(arguments.clouds);
   const ReadPair pair(files.source, files.target, arguments.clouds.reading);
@@ -74,7 +74,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_match_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MatchArguments>();
   CLI::App& command = *app.add_subcommand("match", "Putative matches between two clouds");
   arguments->clouds.add_to(
       command, [](const std::string& name) { return name != "max_attempts" && name != "refine"; });
@@ -88,8 +88,8 @@ void add_match_command(CLI::App& app, Work& work) {
       ->description("Of the matches that share a target, keep the closest (with --no-mutual)")
       ->group("Matching");
   arguments->output.add_to(command);
-  command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.footer(kMatchExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run_match(*arguments); }; });
 }
 
 }  // namespace gmcr::cli

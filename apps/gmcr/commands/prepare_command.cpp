@@ -17,7 +17,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kPrepareExamples =
     R"(Voxels, normals and features of a cloud, for `register` and `match`, which then need not make them.
 The file is a PLY with more in it: whatever reads a cloud takes it. Pairs are matched at one voxel
 size, the smaller one of the two clouds unless given: prepare the clouds of many pairs with the same.
@@ -29,7 +29,7 @@ Examples:
   gmcr prepare town.ply -o town.map.ply --map
   gmcr register scan.bin map.prepared.ply --voxel 0.3)";
 
-struct Arguments {
+struct PrepareArguments {
   std::string cloud;
   std::string path;
   bool is_map = false;
@@ -48,14 +48,14 @@ struct Prepared {
 
 /// Makes a cloud or a map of the points, and writes it.
 template <class Kind, class... Given>
-Prepared prepare(const Arguments& arguments, const Points& points, const Given&... given) {
+Prepared prepare(const PrepareArguments& arguments, const Points& points, const Given&... given) {
   const Stopwatch stopwatch;
   const Kind prepared(points, arguments.frontend, given..., arguments.solver.num_threads);
   write_text(arguments.path, prepared.to_bytes());
   return {prepared.points().cols(), prepared.voxel_size(), stopwatch.seconds()};
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_prepare(const PrepareArguments& arguments) {
   check_output(arguments.path);
   const InputFile file(arguments.cloud);
   const Points points = read_points(file, arguments.reading);
@@ -84,7 +84,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_prepare_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<PrepareArguments>();
   CLI::App& command = *app.add_subcommand("prepare", "A cloud with its features, for many pairs");
   command.add_option("CLOUD", arguments->cloud, "Cloud to prepare, or - for stdin")->required();
   command.add_option("-o,--output", arguments->path, "File to write, .ply")
@@ -101,8 +101,8 @@ void add_prepare_command(CLI::App& app, Work& work) {
   add_flags(command, arguments->solver,
             [](const std::string& name) { return name == "num_threads"; });
   arguments->output.add_to(command);
-  command.footer(kExamples);
-  command.callback([arguments, &work] { work = [arguments] { return run(*arguments); }; });
+  command.footer(kPrepareExamples);
+  command.callback([arguments, &work] { work = [arguments] { return run_prepare(*arguments); }; });
 }
 
 }  // namespace gmcr::cli

@@ -13,7 +13,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kRegisterExamples =
     R"(Clouds: .ply .pcd .xyz .txt .asc .pts .csv .npy, KITTI .bin, nuScenes .pcd.bin; meshes, on whose
 surface points are spread: .ply with faces, .obj .off .stl. Points that are not finite, and (0, 0, 0)
 for no return, are dropped. --aligned keeps the other fields of .ply and .pcd. Voxel size and noise bound come
@@ -40,7 +40,7 @@ Examples:
   several of the object in the scene, each judged by itself
     gmcr register part.stl bin.ply --instances 5)";
 
-struct Arguments {
+struct RegisterArguments {
   CloudArguments clouds;
   SolverArguments solver;
   bool wants_instances = false;
@@ -55,7 +55,7 @@ struct Arguments {
 };
 
 /// What could not be written is found before the work, not after it.
-void check_outputs(const Arguments& arguments) {
+void check_outputs(const RegisterArguments& arguments) {
   for (const std::string& path : {arguments.transform, arguments.json_file, arguments.report}) {
     if (!path.empty()) check_output(path);
   }
@@ -64,7 +64,7 @@ void check_outputs(const Arguments& arguments) {
 }
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
-std::vector<std::string> write_files(const Arguments& arguments, const CloudFiles& files,
+std::vector<std::string> write_files(const RegisterArguments& arguments, const CloudFiles& files,
                                      const CloudResult& result, const Points& source,
                                      const Points& target, const std::string& json) {
   std::vector<std::string> written;
@@ -100,7 +100,7 @@ std::vector<std::string> write_files(const Arguments& arguments, const CloudFile
 }
 
 /// One result, or one for each instance where these were asked for.
-std::vector<CloudResult> registered(const Arguments& arguments, const ReadPair& pair,
+std::vector<CloudResult> registered(const RegisterArguments& arguments, const ReadPair& pair,
                                     const Options& options) {
   const FrontendOptions& frontend = arguments.clouds.frontend;
   if (arguments.wants_instances) {
@@ -112,7 +112,7 @@ std::vector<CloudResult> registered(const Arguments& arguments, const ReadPair& 
   })};
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_register(const RegisterArguments& arguments) {
   if (!arguments.report.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
@@ -148,7 +148,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_register_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RegisterArguments>();
   CLI::App& command = *app.add_subcommand("register", "Pose that aligns two clouds");
   arguments->clouds.add_to(command);
   arguments->solver.noise
@@ -172,10 +172,10 @@ void add_register_command(CLI::App& app, Work& work) {
   add_path("--report", arguments->report, "Write a page with pictures (needs the Python package)",
            "FILE.html");
   arguments->output.add_to(command);
-  command.footer(kExamples);
+  command.footer(kRegisterExamples);
   command.callback([arguments, &command, &work] {
     arguments->wants_instances = InstanceArguments::are_wanted(command);
-    work = [arguments] { return run(*arguments); };
+    work = [arguments] { return run_register(*arguments); };
   });
 }
 

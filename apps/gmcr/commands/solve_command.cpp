@@ -15,7 +15,7 @@
 namespace gmcr::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kSolveExamples =
     R"(MATCHES is a CSV with the columns ax,ay,az,bx,by,bz (source point, target point; also
 sx,sy,sz,tx,ty,tz or x1..z2, by name among others) or an .npy of shape (N, 6), or - for either from stdin. A 7th column
 (noise_bound) holds a noise bound for each match, instead of --noise-bound; without a name it is
@@ -47,7 +47,7 @@ Examples:
   several of the object in the scene: up to 5 of at least 10 matches each
     gmcr solve matches.csv --noise-bound 0.05 --instances 5 --min-instance-inliers 10)";
 
-struct Arguments {
+struct SolveArguments {
   std::string matches;
   SolverArguments solver;
   bool wants_instances = false;
@@ -60,7 +60,7 @@ struct Arguments {
 };
 
 /// One result, or one for each instance where these were asked for.
-std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
+std::vector<Result> solve(const SolveArguments& arguments, const Matches& matches,
                           const Options& options) {
   if (arguments.wants_instances) {
     return register_instances(matches.source, matches.target, options, arguments.instances.limits);
@@ -68,13 +68,13 @@ std::vector<Result> solve(const Arguments& arguments, const Matches& matches,
   return {register_correspondences(matches.source, matches.target, options)};
 }
 
-std::string json_of(const Arguments& arguments, const std::vector<Result>& results,
+std::string json_of(const SolveArguments& arguments, const std::vector<Result>& results,
                     const ReportContext& context) {
   return arguments.wants_instances ? to_json(results, context, kJsonIndent)
                                    : to_json(results.front(), context, kJsonIndent);
 }
 
-ExitCode run(const Arguments& arguments) {
+ExitCode run_solve(const SolveArguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.instances.limits.validate();
@@ -119,7 +119,7 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 void add_solve_command(CLI::App& app, Work& work) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SolveArguments>();
   CLI::App& command = *app.add_subcommand("solve", "Pose from a file of putative matches");
   command.add_option("MATCHES", arguments->matches, "Matches, .csv, .txt or .npy, or - for stdin")
       ->required();
@@ -146,10 +146,10 @@ void add_solve_command(CLI::App& app, Work& work) {
       ->type_name("FILE.html")
       ->group(kOutput);
   arguments->output.add_to(command);
-  command.footer(kExamples);
+  command.footer(kSolveExamples);
   command.callback([arguments, &command, &work] {
     arguments->wants_instances = InstanceArguments::are_wanted(command);
-    work = [arguments] { return run(*arguments); };
+    work = [arguments] { return run_solve(*arguments); };
   });
 }
 

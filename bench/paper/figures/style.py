@@ -16,22 +16,10 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 from PIL import Image
+from paper.methods import look_of
 from reports.records import group_by
 
 COLUMN_WIDTH = 3.5  # inches
-STYLES = {
-    # method: label, colour, marker, dashes
-    "gmcr": ("gmcr", "#000000", "o", "-"),
-    "gmcr-count": ("gmcr-count", "#0072b2", "s", (0, (5, 1))),
-    "gmcr-paper": ("gmcr-paper", "#d55e00", "^", (0, (3, 1, 1, 1))),
-    "gmcr-exact": ("gmcr-exact", "#f0b800", "*", (0, (1, 1))),
-    "open3d-ransac": ("RANSAC (Open3D)", "#009e73", "v", (0, (4, 2))),
-    "ransac10k": ("RANSAC10k", "#cc79a7", "D", (0, (1, 1.5))),
-    "open3d-fgr": ("FGR (Open3D)", "#e69f00", "P", (0, (6, 2, 1, 2))),
-    "kiss-matcher": ("KISS-Matcher", "#7f4fc9", "X", (0, (2, 2))),
-    "teaser++": ("TEASER++", "#a6761d", ">", (0, (5, 2, 2, 2))),
-    "least-squares": ("true inliers", "#999999", "", (0, (1, 3))),
-}
 FITS = ("least-squares",)  # to inliers that are known: no search to be compared
 
 pyplot.rcParams.update(
@@ -57,16 +45,16 @@ Summary = Callable[[Sequence[dict]], tuple[float, float, float]]  # low, middle,
 def methods_of(records: Iterable[dict], but: Iterable[str] = ()) -> list[str]:
     """Methods of the records in the order of the legend."""
     present = {record["method"] for record in records} - set(but)
-    return [name for name in STYLES if name in present]
+    return sorted(present, key=lambda name: (look_of(name).place, name))
 
 
 def line_style(method: str) -> dict:
-    label, colour, marker, dashes = STYLES[method]
+    look = look_of(method)
     return {
-        "label": label,
-        "color": colour,
-        "marker": marker or None,
-        "linestyle": dashes,
+        "label": look.label,
+        "color": look.colour,
+        "marker": look.marker or None,
+        "linestyle": look.dashes,
         "zorder": 4 if method == "gmcr" else 3,
     }
 

@@ -3,9 +3,9 @@
 from importlib import import_module
 from pkgutil import iter_modules
 
-from paper.methods.registry import METHODS, Method, Outcome
+from paper.methods.registry import METHODS, Method, Outcome, in_order, look_of
 
 for _module in sorted(module.name for module in iter_modules(__path__)):
     import_module(f"{__name__}.{_module}")
 
-__all__ = ["METHODS", "Method", "Outcome"]
+__all__ = ["METHODS", "Method", "Outcome", "in_order", "look_of"]

@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from paper.methods.registry import Method, Outcome, outcome_of_pose, register
+from paper.methods.registry import Look, Method, Outcome, outcome_of_pose, register
 from paper.problem import Problem
 
 
 @register
 class KissMatcher(Method):
     name = "kiss-matcher"
+    look = Look("KISS-Matcher", 41, "#7f4fc9", "X", (0, (2, 2)))
     settings = (
         "`prune_and_solve` (its k-core pruning, then GNC) with the noise bound as its voxel size, "
         "which sets its own bounds by its default gains; known scale only"

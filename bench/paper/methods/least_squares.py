@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from paper.methods.registry import Method, Outcome, register
+from paper.methods.registry import Look, Method, Outcome, register
 from paper.problem import Pose, Problem, fit_similarity
 
 
 @register
 class LeastSquares(Method):
     name = "least-squares"
+    look = Look("true inliers", 90, "#999999", "", (0, (1, 3)))
     settings = "on the true inliers, which no other method is told: the limit of accuracy"
 
     def prepare(self, problem: Problem, time_limit: float) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from paper.methods.open3d_clouds import Open3dMethod
-from paper.methods.registry import Outcome, outcome_of_pose, register
+from paper.methods.registry import Look, Outcome, outcome_of_pose, register
 from paper.problem import Problem, pose_from_matrix
 
 NUM_ITERATIONS = 128  # mu falls by 1.4 every fourth: down to the noise of a scan of 100 m
@@ -16,6 +16,7 @@ NUM_ITERATIONS = 128  # mu falls by 1.4 every fourth: down to the noise of a sca
 @register
 class Open3dFgr(Open3dMethod):
     name = "open3d-fgr"
+    look = Look("FGR (Open3D)", 40, "#e69f00", "P", (0, (6, 2, 1, 2)))
     settings = (
         "Open3D, normalised, `decrease_mu` until mu is the square of the noise bound over the "
         "size, tuple test, 128 iterations, seeded; known scale only"

@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from paper.methods.open3d_clouds import Open3dMethod
-from paper.methods.registry import Outcome, outcome_of_pose, register
+from paper.methods.registry import Look, Outcome, outcome_of_pose, register
 from paper.problem import Problem, pose_from_matrix
 
 
 @register
 class Open3dRansac(Open3dMethod):
     name = "open3d-ransac"
+    look = Look("RANSAC (Open3D)", 30, "#009e73", "v", (0, (4, 2)))
     settings = (
         "Open3D, 3 points a sample, 10,000 iterations, confidence 0.99, distance checker at the "
         "noise bound; with known scale the edge-length checker at 0.9 too (it presumes scale 1); "

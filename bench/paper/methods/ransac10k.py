@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from paper.methods.registry import Method, Outcome, register
+from paper.methods.registry import Look, Method, Outcome, register
 from paper.problem import Pose, Problem, fit_similarity
 
 NUM_SAMPLES = 10_000
@@ -16,6 +16,7 @@ CHUNK = 2_000_000  # residuals scored at once
 @register
 class Ransac10k(Method):
     name = "ransac10k"
+    look = Look("RANSAC10k", 31, "#cc79a7", "D", (0, (1, 1.5)))
     settings = (
         "our own in numpy: 10,000 samples of 3, distance check at the noise bound, scored by the "
         "number of given matches within the noise bound, least squares on the best set"

@@ -26,10 +26,23 @@ class Outcome:
     threads: int | None = None
 
 
+@dataclass(frozen=True)
+class Look:
+    """How a method looks in tables and figures."""
+
+    label: str
+    place: int  # in legends and tables, ascending; fits to inliers that are known come last
+    colour: str = "#555555"
+    marker: str = "h"  # "": a line without marks
+    dashes: Any = (0, (3, 1))
+
+
 class Method(ABC):
     """A method under test. Only `solve` is timed; it is called several times for one `prepare`."""
 
     name = ""  # in records and tables
+    look: Look | None = None  # None: its name, in grey, after those that have one
+    is_everywhere = True  # False: only in the experiments that name it
     settings = ""  # one sentence for the reader
     modules: tuple[str, ...] = ()  # that have to be installed
     distribution: str | None = None  # whose version is recorded
@@ -67,6 +80,21 @@ class Method(ABC):
 
 
 METHODS: dict[str, type[Method]] = {}
+_PLACE_WITHOUT_A_LOOK = 80
+
+
+def look_of(name: str) -> Look:
+    return METHODS[name].look or Look(name, _PLACE_WITHOUT_A_LOOK)
+
+
+def in_order(*, is_scale_known: bool) -> tuple[str, ...]:
+    """Names of the methods that solve such problems in any experiment, as tables list them."""
+    able = (
+        name
+        for name, method in METHODS.items()
+        if method.is_everywhere and (is_scale_known or not method.needs_known_scale)
+    )
+    return tuple(sorted(able, key=lambda name: (look_of(name).place, name)))
 
 
 def register(method: type[Method]) -> type[Method]:

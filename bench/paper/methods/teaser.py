@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from paper.data import CHECKOUT
-from paper.methods.registry import Method, Outcome, outcome_of_pose, register
+from paper.methods.registry import Look, Method, Outcome, outcome_of_pose, register
 from paper.problem import Problem
 
 MODULE = "teaserpp_python"
@@ -38,6 +38,7 @@ def built_program(build: Path = BUILD) -> Path | str:
 @register
 class Teaser(Method):
     name = "teaser++"
+    look = Look("TEASER++", 42, "#a6761d", ">", (0, (5, 2, 2, 2)))
     settings = (
         "the parameters of its example: cbar2 = 1, GNC-TLS, exact clique; the given noise bound; of "
         "matches whose source points coincide the first, since two make its scale NaN"

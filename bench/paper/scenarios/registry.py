@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from paper.methods import in_order
 from paper.problem import Problem
 
 
@@ -28,9 +29,8 @@ class Experiment:
 
 EXPERIMENTS: dict[str, Experiment] = {}
 
-GMCR = ("gmcr", "gmcr-count", "gmcr-paper")
-UNKNOWN_SCALE = (*GMCR, "open3d-ransac", "ransac10k", "teaser++", "least-squares")
-KNOWN_SCALE = (*UNKNOWN_SCALE[:-1], "open3d-fgr", "kiss-matcher", "least-squares")
+UNKNOWN_SCALE = in_order(is_scale_known=False)
+KNOWN_SCALE = in_order(is_scale_known=True)
 
 
 def experiment(name: str, title: str, protocol: str) -> Callable:
