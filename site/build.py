@@ -137,11 +137,16 @@ def cpp_reference(pages: Path) -> None:
         raise RuntimeError("the C++ reference is made by doxygen: apt-get install doxygen")
     out = pages / "reference/cpp"
     out.mkdir()
-    given = {"OUT": str(out), "VERSION": gmcr.__version__, "INCLUDE": str(ROOT / "include")}
+    given = {
+        "OUT": out, "VERSION": gmcr.__version__, "INCLUDE": ROOT / "include",
+        "START": ROOT / "site/cpp_start.md",
+    }  # fmt: skip
     done = subprocess.run(
         ["doxygen", ROOT / "site/Doxyfile"],
-        capture_output=True, text=True, env={**os.environ, **given},
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+        env=os.environ | {name: str(value) for name, value in given.items()},
+    )
     if done.returncode:
         raise RuntimeError(done.stdout + done.stderr)
     (pages / "reference/cpp.md").write_text(_CPP)

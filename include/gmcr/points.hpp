@@ -8,7 +8,7 @@
 #include "gmcr/types.hpp"
 #include "gmcr/visibility.hpp"
 
-/// Points of other libraries as `Points`; headers of these are not needed.
+// Points of other libraries as `Points`; headers of these are not needed.
 namespace GMCR_PUBLIC gmcr {
 
 /// Points of a buffer whose x, y and z are three numbers one after the other, aligned or not.
