@@ -4,7 +4,7 @@ export CCACHE_BASEDIR := $(CURDIR)
 export CCACHE_NOHASHDIR := 1
 export CCACHE_SLOPPINESS := pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-.PHONY: build demo test lint sanitize sanitize-all fuzz outsiders soak abi wheel bench bench-programs bench-paper \
+.PHONY: build demo test lint sanitize sanitize-all fuzz outsiders soak same-bits abi wheel bench bench-programs bench-paper \
   site format clean
 
 # packages of a list of packages.txt
@@ -70,6 +70,10 @@ outsiders: build/.packages-test
 # problems of all kinds from 8 threads of each of 2 processes for MINUTES
 soak: bench-programs
 	@build/release/bin/bench_soak --minutes $(or $(MINUTES),60)
+
+# the recorded answers by clang, and on 64-bit Arm under the emulator
+same-bits: build/.packages-bench
+	@tools/same_bits
 
 # what the shared libraries offer, against that of the last release
 abi: build/.packages-test

@@ -42,13 +42,17 @@ function(gmcr_harden target)
   target_link_options(${target} PRIVATE ${gmcr_hardening_link})
 endfunction()
 
-# The same bits on every machine: no fused multiply-add that the compiler picks by itself.
+# The same bits on every machine: no fused multiply-add that the compiler picks by itself, nor Eigen where all processors of a
+# kind have one.
 set(gmcr_flags "")
 gmcr_add_flags(gmcr_flags -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off
   # false alarms of g++ 12 inside Eigen, and on "literal" + std::string
   -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overread
   # meant, in inner loops
   -Wno-bitwise-instead-of-logical)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  gmcr_add_flags(gmcr_flags -U__ARM_FEATURE_FMA)
+endif()
 if(GMCR_WARNINGS_AS_ERRORS)
   gmcr_add_flags(gmcr_flags -Werror)
 endif()

@@ -2,11 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "digests/case.hpp"
 #include "digests/random.hpp"
 #include "digests/settings.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::bench {
 namespace {
@@ -20,8 +19,8 @@ struct CloudPair {
 };
 
 double height_at(double x, double y) {
-  return 0.4 * std::sin(2 * x + 0.3) * std::cos(1.5 * y) + 0.2 * std::sin(5 * x * y / 3 + y) +
-         0.15 * x * std::cos(3 * y);
+  return 0.4 * elementary::sin(2 * x + 0.3) * elementary::cos(1.5 * y) +
+         0.2 * elementary::sin(5 * x * y / 3 + y) + 0.15 * x * elementary::cos(3 * y);
 }
 
 /// Points on the surface with x from `first_x` to `first_x` + 3.

@@ -26,7 +26,8 @@ Points Random::points(Index size, double low, double high) {
 }
 
 Eigen::Matrix3d Random::rotation() {
-  Eigen::Quaterniond turn(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+  Eigen::Quaterniond turn;
+  for (double& coefficient : turn.coeffs()) coefficient = uniform(-1, 1);  // one after the other
   return turn.normalized().toRotationMatrix();
 }
 

@@ -5,6 +5,7 @@
 
 #include "estimation/prior_projection.hpp"
 #include "estimation/similarity_fit.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::estimation {
 namespace {
@@ -46,10 +47,10 @@ Moments pull_into(const Ball& ball, const Moments& moments, const PoseConstraint
   constexpr int kSteps = 40;
   const auto with_weight = [&](double log_share) {
     Moments with_origin = moments;
-    with_origin += point_moments(ball.source, ball.target, moments.weight * std::exp(log_share));
+    with_origin += point_moments(ball.source, ball.target, moments.weight * elementary::exp(log_share));
     return with_origin;
   };
-  double low = std::log(1e-16), high = std::log(1e9);  // of the weight over that of all others
+  double low = elementary::log(1e-16), high = elementary::log(1e9);  // of the weight over that of all others
   for (int step = 0; step < kSteps; ++step) {
     const double middle = (low + high) / 2;
     const auto fit = fit_rotation_first(with_weight(middle), constraints);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr::estimation {
 namespace {
 
@@ -78,7 +80,14 @@ void NoiseMixture::update(const Eigen::ArrayXd& right, const Eigen::ArrayXd& wei
 }
 
 double NoiseMixture::log_likelihood(const Eigen::ArrayXd& squares) const {
-  return ((1 - share_) * (1 + odds(squares))).log().sum();
+  // the logarithm of a few factors together
+  constexpr Index kTogether = 8;
+  const Eigen::ArrayXd factors = (1 - share_) * (1 + odds(squares));
+  double sum = 0;
+  for (Index begin = 0; begin < factors.size(); begin += kTogether) {
+    sum += elementary::log(factors.segment(begin, std::min(kTogether, factors.size() - begin)).prod());
+  }
+  return sum;
 }
 
 NoiseMixture fit_noise(const Eigen::ArrayXd& squares) {

@@ -7,12 +7,14 @@
 
 #include "estimation/rotation.hpp"
 #include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::estimation {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using geometry::turn_about;
 
 /// Unit axis of the least rotation from one unit vector to another.
 Vector3d axis_between(const Vector3d& from, const Vector3d& to) {
@@ -20,23 +22,19 @@ Vector3d axis_between(const Vector3d& from, const Vector3d& to) {
   return axis.norm() > 1e-9 ? axis.normalized() : from.unitOrthogonal();
 }
 
-Matrix3d about(const Vector3d& axis, double angle) {
-  return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-}
-
 /// Least rotation that maps one unit vector onto another.
 Matrix3d least_turn(const Vector3d& from, const Vector3d& to) {
-  const Matrix3d first = about(axis_between(from, to), geometry::angle_between(from, to));
+  const Matrix3d first = turn_about(axis_between(from, to), geometry::angle_between(from, to));
   // the axis of nearly opposite vectors is inexact: what is left is a small turn
   const Vector3d reached = (first * from).normalized(), axis = reached.cross(to);
   if (axis.norm() == 0) return first;
-  return about(axis.normalized(), std::asin(std::min(1.0, axis.norm()))) * first;
+  return turn_about(axis.normalized(), elementary::asin(std::min(1.0, axis.norm()))) * first;
 }
 
 /// The unit vector nearest to `direction` at most `angle` from `centre`.
 Vector3d into_cap(const Vector3d& direction, const Vector3d& centre, double angle) {
   if (geometry::angle_between(centre, direction) <= angle) return direction;
-  return about(axis_between(centre, direction), angle) * centre;
+  return turn_about(axis_between(centre, direction), angle) * centre;
 }
 
 /// The place nearest to `direction` that lies in two caps on the sphere.
@@ -54,14 +52,14 @@ std::optional<Vector3d> into_both_caps(const Vector3d& direction, const Vector3d
   // a corner: at both angles, in the frame of the centre, the other centre and their normal
   const double between = geometry::angle_between(centre, other);
   const Vector3d normal = axis_between(centre, other), across = normal.cross(centre);
-  const double x = std::cos(angle);
-  const double y = (std::cos(other_angle) - std::cos(between) * x) / std::sin(between);
+  const double x = elementary::cos(angle);
+  const double y = (elementary::cos(other_angle) - elementary::cos(between) * x) / elementary::sin(between);
   const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
   const Vector3d corner =
       (x * centre + y * across + (direction.dot(normal) < 0 ? -z : z) * normal).normalized();
   if (in_both(corner)) return corner;
   // where the caps only touch, z is all rounding
-  const Vector3d touching = about(normal, angle) * centre;
+  const Vector3d touching = turn_about(normal, angle) * centre;
   return in_both(touching) ? std::optional(touching) : std::nullopt;
 }
 
@@ -72,23 +70,23 @@ double best_yaw(const Matrix3d& rotation, const Vector3d& axis, const Matrix3d& 
   const Vector3d odd(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
   const double cosine = m.trace() - axis.dot(m * axis), sine = axis.dot(odd);
   constexpr double kUndetermined = 1e-12;
-  if (std::hypot(cosine, sine) <= kUndetermined * m.norm()) return 0;
-  return std::atan2(sine, cosine);
+  if (std::sqrt(cosine * cosine + sine * sine) <= kUndetermined * m.norm()) return 0;
+  return elementary::atan2(sine, cosine);
 }
 
 Matrix3d limit_turn(const InitialPose& initial, const Matrix3d& rotation) {
   const Matrix3d known = geometry::exact_rotation(initial.target_from_source.rotation);
-  const Eigen::AngleAxisd turn(Matrix3d(rotation * known.transpose()));
-  return about(turn.axis(), std::min(turn.angle(), initial.max_rotation)) * known;
+  const auto [axis, angle] = geometry::axis_angle(rotation * known.transpose());
+  return turn_about(axis, std::min(angle, initial.max_rotation)) * known;
 }
 
 /// Largest turn about the image of gravity that keeps a turn of `least` about an axis across it
 /// within `limit`: cos(limit / 2) = cos(least / 2) cos(turn / 2).
 double largest_yaw(double least, double limit) {
   if (limit >= std::numbers::pi) return std::numbers::pi;
-  const double squared_sine = std::sin((limit + least) / 2) * std::sin((limit - least) / 2) /
-                              std::pow(std::cos(least / 2), 2);
-  return 2 * std::asin(std::sqrt(std::clamp(squared_sine, 0.0, 1.0)));
+  const double squared_sine = elementary::sin((limit + least) / 2) * elementary::sin((limit - least) / 2) /
+                              (elementary::cos(least / 2) * elementary::cos(least / 2));
+  return 2 * elementary::asin(std::sqrt(std::clamp(squared_sine, 0.0, 1.0)));
 }
 
 /// The rotation that maps gravity to `image` and fits best, near `start`.
@@ -96,14 +94,14 @@ Matrix3d best_with_image(const Priors& priors, const Vector3d& up, const Vector3
                          const Matrix3d& start, const Matrix3d& covariance) {
   if (!priors.initial_pose) {
     const Matrix3d level = least_turn((start * up).normalized(), image) * start;
-    return about(image, best_yaw(level, image, covariance)) * level;
+    return turn_about(image, best_yaw(level, image, covariance)) * level;
   }
   const Matrix3d known = geometry::exact_rotation(priors.initial_pose->target_from_source.rotation);
   const Vector3d known_image = (known * up).normalized();
   const Matrix3d level = least_turn(known_image, image) * known;
   const double limit =
       largest_yaw(geometry::angle_between(known_image, image), priors.initial_pose->max_rotation);
-  return about(image, std::clamp(best_yaw(level, image, covariance), -limit, limit)) * level;
+  return turn_about(image, std::clamp(best_yaw(level, image, covariance), -limit, limit)) * level;
 }
 
 bool admit_rotation(const Priors& priors, const Matrix3d& rotation) {

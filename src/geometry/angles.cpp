@@ -2,20 +2,37 @@
 
 #include <cmath>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr::geometry {
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d u = a.stableNormalized(), v = b.stableNormalized();
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return elementary::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 double rotation_angle(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
-  return 2 * std::atan2(q.vec().norm(), std::abs(q.w()));
+  return 2 * elementary::atan2(q.vec().norm(), std::abs(q.w()));
 }
 
 Eigen::Matrix3d exact_rotation(const Eigen::Matrix3d& rotation) {
   return Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+}
+
+Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double angle) {
+  const Eigen::Vector3d sines = elementary::sin(angle) * axis;
+  const double cosine = elementary::cos(angle);
+  Eigen::Matrix3d cross;
+  cross << 0, -sines.z(), sines.y(), sines.z(), 0, -sines.x(), -sines.y(), sines.x(), 0;
+  return cosine * Eigen::Matrix3d::Identity() + (1 - cosine) * axis * axis.transpose() + cross;
+}
+
+AxisAngle axis_angle(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  const double sine = q.vec().norm();
+  if (sine == 0) return {Eigen::Vector3d::UnitX(), 0};
+  return {q.vec() / (q.w() < 0 ? -sine : sine), 2 * elementary::atan2(sine, std::abs(q.w()))};
 }
 
 Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

@@ -18,6 +18,16 @@ double rotation_angle(const Eigen::Matrix3d& rotation);
 /// The exact rotation next to one that is orthonormal to rounding.
 Eigen::Matrix3d exact_rotation(const Eigen::Matrix3d& rotation);
 
+/// The turn by an angle about a unit axis.
+Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double angle);
+
+/// The axis, of length 1, and the angle, radians in [0, pi], of a rotation.
+struct AxisAngle {
+  Eigen::Vector3d axis;
+  double angle;
+};
+AxisAngle axis_angle(const Eigen::Matrix3d& rotation);
+
 /// The least turn that takes a direction to another, of any length > 0.
 Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 

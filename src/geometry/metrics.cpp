@@ -5,11 +5,13 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr {
 
 double rotation_error_deg(const Eigen::Matrix3d& estimate, const Eigen::Matrix3d& truth) {
   const Eigen::Quaterniond difference(Eigen::Matrix3d(estimate.transpose() * truth));
-  const double angle = 2 * std::atan2(difference.vec().norm(), std::abs(difference.w()));
+  const double angle = 2 * elementary::atan2(difference.vec().norm(), std::abs(difference.w()));
   return angle * 180 / std::numbers::pi;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr {
 
 Similarity Similarity::operator*(const Similarity& other) const {
@@ -37,7 +39,7 @@ Similarity Similarity::from_matrix(const Eigen::Matrix4d& matrix, double toleran
   if (!(determinant > 0)) {
     throw std::invalid_argument("matrix: no similarity, the determinant is not positive");
   }
-  const double scale = std::cbrt(determinant);
+  const double scale = elementary::cbrt(determinant);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(linear / scale,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   if ((svd.singularValues().array() - 1).abs().maxCoeff() > tolerance) {

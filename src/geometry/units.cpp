@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr::geometry {
 namespace {
 
@@ -26,7 +28,7 @@ std::string sentence(const char* source, const char* target) {
 
 std::string units_of_ratio(double ratio) {
   const auto is_near = [&](double other) {
-    return std::abs(std::log(ratio / other)) < std::log(kAlike);
+    return std::abs(elementary::log(ratio / other)) < elementary::log(kAlike);
   };
   for (const auto& [factor, large, small] : kUnits) {
     if (is_near(factor)) return sentence(large, small);

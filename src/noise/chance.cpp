@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "problem/selection.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -35,16 +37,18 @@ Couple couple(std::uint64_t k, Index count) {
 }
 
 double log10_choose(double n, double k) {
-  return (std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1)) / std::log(10.0);
+  return (elementary::log_factorial(n) - elementary::log_factorial(k) -
+          elementary::log_factorial(n - k)) *
+         std::numbers::log10e;
 }
 
 /// log10 of P(X >= k), X ~ Binomial(n, p), from above: its first term, and the others as a
 /// geometric series.
 double log10_tail(double k, double n, double p) {
   if (k <= n * p) return 0;
-  const double first = log10_choose(n, k) + k * std::log10(p) + (n - k) * std::log10(1 - p);
+  const double first = log10_choose(n, k) + k * elementary::log10(p) + (n - k) * elementary::log10(1 - p);
   const double ratio = (n - k) * p / ((k + 1) * (1 - p));  // < 1 above the mean
-  return std::min(0.0, first - std::log10(1 - ratio));
+  return std::min(0.0, first - elementary::log10(1 - ratio));
 }
 
 }  // namespace
@@ -54,13 +58,13 @@ Tail Tail::through(double low, std::size_t low_rank, double high, std::size_t hi
   Tail tail{low, static_cast<double>(low_rank + 1) / static_cast<double>(count), 1};
   if (high > low && low > 0) {
     const double ratio = static_cast<double>(high_rank + 1) / static_cast<double>(low_rank + 1);
-    tail.power = std::clamp(std::log(ratio) / std::log(high / low), 1.0, 3.0);
+    tail.power = std::clamp(elementary::log(ratio) / elementary::log(high / low), 1.0, 3.0);
   }
   return tail;
 }
 
 double Tail::share_within(double r) const {
-  return r < radius ? share * std::pow(r / radius, power) : share;
+  return r < radius ? share * elementary::pow(r / radius, power) : share;
 }
 
 double share_within(std::vector<double>& values, double radius) {
@@ -109,7 +113,7 @@ double log10_false_alarms(double k, double n, int sample_size, int num_lengths,
                           const Chance& chance) {
   const double m = sample_size;
   if (k <= m) return n > m ? std::max(0.0, log10_choose(n, m)) : 0;
-  return log10_choose(n, m) - log10_choose(k, m) + num_lengths * std::log10(chance.length) +
+  return log10_choose(n, m) - log10_choose(k, m) + num_lengths * elementary::log10(chance.length) +
          log10_tail(k - m, n - m, chance.inlier);
 }
 

@@ -6,6 +6,7 @@
 
 #include "gmcr/options.hpp"
 #include "problem/selection.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -17,7 +18,7 @@ constexpr Index kMinSample = 3;  // correspondences that determine a pose
 std::vector<double> log_factorials(Index n) {
   std::vector<double> logs(static_cast<std::size_t>(n) + 1, 0.0);
   for (std::size_t k = 1; k < logs.size(); ++k) {
-    logs[k] = logs[k - 1] + std::log10(static_cast<double>(k));
+    logs[k] = logs[k - 1] + elementary::log10(static_cast<double>(k));
   }
   return logs;
 }
@@ -75,10 +76,10 @@ FalseAlarms count_false_alarms(const Eigen::ArrayXd& residuals, double scale,
         std::min(std::max(target.share_within(residual), source.share_within(residual / scale)),
                  between.share_within(residual));
     alarms.residuals.push_back(residual);
-    alarms.log10.push_back(std::log10(static_cast<double>(n - kMinSample)) +
+    alarms.log10.push_back(elementary::log10(static_cast<double>(n - kMinSample)) +
                            log_choose(log_factorial, n, k) +
                            log_choose(log_factorial, k, kMinSample) +
-                           static_cast<double>(k - kMinSample) * std::log10(alpha));
+                           static_cast<double>(k - kMinSample) * elementary::log10(alpha));
   }
   return alarms;
 }

@@ -8,6 +8,7 @@
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"
 #include "search/best_poses.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -148,10 +149,10 @@ std::vector<double> NoiseBoundSearch::ladder() const {
   const double unit = target_distances_.median();
   std::vector<double> rungs;
   const int count =
-      1 + static_cast<int>(std::log(kHighestRung / kLowestRung) / std::log(kRungRatio));
+      1 + static_cast<int>(elementary::log(kHighestRung / kLowestRung) / elementary::log(kRungRatio));
   rungs.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
-    rungs.push_back(std::max(kLowestRung * std::pow(kRungRatio, k) * unit, rounding_));
+    rungs.push_back(std::max(kLowestRung * elementary::pow(kRungRatio, k) * unit, rounding_));
   }
   rungs.erase(std::unique(rungs.begin(), rungs.end()), rungs.end());
   return rungs;

@@ -14,6 +14,7 @@
 #include "parallel/parallel_for.hpp"
 #include "problem/consistency_graph.hpp"
 #include "problem/symmetric_blocks.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::problem {
 namespace {
@@ -107,7 +108,7 @@ void PairFilter::add(bool about_axis, double angle, const Eigen::Matrix3d& sourc
                      const Eigen::Matrix3d& target_turn, const Eigen::ArrayXd& rounding) {
   const double widened = angle + 2 * geometry::kAngleSlack;
   if (widened >= std::numbers::pi) return;
-  AnglePrior prior{about_axis, std::cos(widened), std::sin(widened), {}};
+  AnglePrior prior{about_axis, elementary::cos(widened), elementary::sin(widened), {}};
   prior.ends.setZero(8, arrays_.size());
   prior.ends.topRows<3>() = source_turn * arrays_.source.transpose();
   prior.ends.middleRows<3>(3) = target_turn * arrays_.target.transpose();

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
+
+#include "geometry/elementary.hpp"
 
 namespace gmcr::problem {
 
@@ -26,7 +29,7 @@ class ScaleBuckets {
   double edge(int k, int count) const {
     const int bucket = static_cast<int>(std::floor(static_cast<double>(k) / count));
     const double share = static_cast<double>(k - bucket * count) / count;
-    return std::ldexp(centre_ * kEnd * std::exp2(share), bucket);
+    return std::ldexp(centre_ * kEnd * elementary::exp(share * std::numbers::ln2), bucket);
   }
 
  private:

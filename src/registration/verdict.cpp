@@ -10,6 +10,7 @@
 #include "noise/chance.hpp"
 #include "problem/selection.hpp"
 #include "registration/handedness.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -104,7 +105,7 @@ class Odds {
 /// Of less than one false alarm.
 std::string in_words(double log10) {
   if (log10 > -3) {
-    return "chance would give this once in " + std::to_string(std::lround(std::pow(10, -log10)));
+    return "chance would give this once in " + std::to_string(std::lround(elementary::pow(10, -log10)));
   }
   return "chance would give this once in 10^" + std::to_string(std::lround(std::floor(-log10)));
 }

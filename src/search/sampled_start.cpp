@@ -12,6 +12,7 @@
 #include "kernels/residuals.hpp"
 #include "problem/selection.hpp"
 #include "refine/local_optimisation.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::search {
 namespace {
@@ -119,8 +120,8 @@ class Judges {
 double enough_draws(double evidence, double total, Index count) {
   // members differ: the others weigh 1 at most
   const double share = std::max(0.0, evidence - static_cast<double>(count - 1)) / total;
-  const double all_inliers = std::pow(share, static_cast<double>(count));
-  return all_inliers < 1 ? std::log(kMissed) / std::log1p(-all_inliers) : 1;
+  const double all_inliers = elementary::pow(share, static_cast<double>(count));
+  return all_inliers < 1 ? elementary::log(kMissed) / elementary::log1p(-all_inliers) : 1;
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr::search {
 namespace {
 
@@ -17,13 +19,13 @@ std::uint64_t cell_of(double scale) {
 
 ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const problem::ScaleBuckets& buckets)
     : first_cell_(cell_of(range.min)) {
-  const double span = std::log2(range.max) - std::log2(range.min);
+  const double span = elementary::log2(range.max) - elementary::log2(range.min);
   // the widest range of all has 2,098 buckets
   const double num_that_fit = std::floor(static_cast<double>(kMaxBins - 1) / span);
   const int num_in_bucket =
-      static_cast<int>(std::min(std::round(1 / std::log2(ratio)), num_that_fit));
+      static_cast<int>(std::min(std::round(1 / elementary::log2(ratio)), num_that_fit));
   edges_.push_back(range.min);
-  const double bucket = std::floor(std::log2(range.min) - std::log2(buckets.edge(0, 1)));
+  const double bucket = std::floor(elementary::log2(range.min) - elementary::log2(buckets.edge(0, 1)));
   for (int k = num_in_bucket * static_cast<int>(bucket);; ++k) {
     const double next = buckets.edge(k, num_in_bucket);
     if (!(next < range.max)) break;

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
+
 namespace gmcr::frontend {
 namespace {
 
@@ -52,8 +55,8 @@ Similarity moved_by(const MotionStep& step, const NormalEquations& equations,
   const Eigen::Vector3d turn = step.head<3>() / equations.lever;
   const double angle = turn.norm();
   Similarity motion;
-  if (angle > 0) motion.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-  motion.scale = std::exp(step[6] / equations.lever);
+  if (angle > 0) motion.rotation = geometry::turn_about(turn / angle, angle);
+  motion.scale = elementary::exp(step[6] / equations.lever);
   motion.translation =
       equations.pivot + step.segment<3>(3) - motion.scale * (motion.rotation * equations.pivot);
   Similarity next = motion * pose;

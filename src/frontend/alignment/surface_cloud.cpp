@@ -1,12 +1,12 @@
 #include "frontend/alignment/surface_cloud.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "geometry/plane_normal.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
@@ -15,8 +15,6 @@ namespace {
 /// Nearest points that span the plane of a point, itself among them: on voxels those within about
 /// two, so that edges stay sharp.
 constexpr std::size_t kPlanePoints = 10;
-/// Share of the spread along the longest axis below which the middle one counts as none.
-constexpr double kLineTolerance = 1e-6;
 /// Spacings: reach of the grid, a little above the widest search of an alignment. A disc of it has
 /// about 28 points.
 constexpr double kReach = 3.05;
@@ -129,11 +127,7 @@ std::optional<Eigen::Vector3d> SurfaceCloud::estimate_normal(const PointGrid& gr
     outer += offset * offset.transpose();
   }
   const auto total = static_cast<double>(wanted);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(outer / total - sum * sum.transpose() / (total * total));
-  const Eigen::Vector3d spread = solver.eigenvalues();
-  if (!(spread[1] > kLineTolerance * spread[2])) return Eigen::Vector3d::Zero();
-  return solver.eigenvectors().col(0);
+  return geometry::plane_normal(outer / total - sum * sum.transpose() / (total * total));
 }
 
 }  // namespace gmcr::frontend

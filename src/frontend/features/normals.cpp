@@ -1,14 +1,10 @@
 #include "frontend/features/normals.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "geometry/plane_normal.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
 namespace {
-
-/// Share of the spread along the longest axis below which the middle one counts as none.
-constexpr double kLineTolerance = 1e-6;
 
 Eigen::Vector3d estimate_normal(const PointsRef& points, const Neighbourhoods& neighbourhoods,
                                 double squared_radius, Index i) {
@@ -26,12 +22,7 @@ Eigen::Vector3d estimate_normal(const PointsRef& points, const Neighbourhoods& n
     ++count;
   }
   if (count < 3) return Eigen::Vector3d::Zero();
-  const Eigen::Matrix3d covariance = outer / count - sum * sum.transpose() / (count * count);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d spread = solver.eigenvalues();
-  if (!(spread[1] > kLineTolerance * spread[2])) return Eigen::Vector3d::Zero();
-  return solver.eigenvectors().col(0);
+  return geometry::plane_normal(outer / count - sum * sum.transpose() / (count * count));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 
 #include "frontend/alignment/surface_fit.hpp"
 #include "frontend/judgement/overlap.hpp"
+#include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -52,7 +54,7 @@ Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Dead
   Similarity start = prior.target_from_source;
   start.scale = scale;
   const double size = std::sqrt(variances_.sum()) * scale;
-  const double off = prior.max_translation + 2 * std::sin(prior.max_rotation / 2) * size;
+  const double off = prior.max_translation + 2 * elementary::sin(prior.max_rotation / 2) * size;
   const double reach = std::clamp(off / voxel_, kReach, kFarthestReach);
   return look(start, {voxel_, reach, kComparedSamples, kLeastStep}, deadline);
 }
@@ -69,8 +71,7 @@ std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
   std::vector<Similarity> turned;
   for (int axis = 0; axis < 3; ++axis) {
     Similarity turn;
-    turn.rotation =
-        Eigen::AngleAxisd(std::numbers::pi, axes_.col(axis).normalized()).toRotationMatrix();
+    turn.rotation = geometry::turn_about(axes_.col(axis).normalized(), std::numbers::pi);
     turn.translation = centroid_ - turn.rotation * centroid_;
     const Similarity candidate = pose * turn;
     if (options_.admit(candidate)) turned.push_back(candidate);

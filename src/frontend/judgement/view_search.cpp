@@ -10,6 +10,7 @@
 #include "frontend/points/extent.hpp"
 #include "geometry/angles.hpp"
 #include "gmcr/frontend.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -31,7 +32,7 @@ std::vector<Eigen::Vector3d> directions() {
   std::vector<Eigen::Vector3d> all;
   for (int k = 0; k < kDirections; ++k) {
     const double z = 1 - (2 * k + 1.0) / kDirections, r = std::sqrt(1 - z * z);
-    all.emplace_back(r * std::cos(golden * k), r * std::sin(golden * k), z);
+    all.emplace_back(r * elementary::cos(golden * k), r * elementary::sin(golden * k), z);
   }
   return all;
 }
@@ -67,12 +68,12 @@ std::vector<Similarity> starts_of(const Points& object, const Points& view, doub
   std::vector<Similarity> starts;
   for (const Eigen::Vector3d& direction : directions()) {
     const Eigen::Vector3d seen = centre_of_view(object, direction, cell);
-    const auto turn = geometry::turn_between(direction, toward);
+    const Eigen::Matrix3d turn = geometry::turn_between(direction, toward).toRotationMatrix();
     for (int k = 0; k < kTurns; ++k) {
       const double angle = 2 * std::numbers::pi * k / kTurns;
       Similarity start;
       start.scale = scale;
-      start.rotation = (Eigen::AngleAxisd(angle, toward) * turn).toRotationMatrix();
+      start.rotation = geometry::turn_about(toward, angle) * turn;
       start.translation = centre - scale * (start.rotation * seen);
       starts.push_back(start);
     }

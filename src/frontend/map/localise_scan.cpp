@@ -21,6 +21,7 @@
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
 #include "parallel/stopwatch.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr {
 namespace {
@@ -74,7 +75,7 @@ Eigen::Vector3d Localisation::up_of_scan() const {
   if (!options_.gravity) return Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d target = options_.gravity->target.normalized();
   const double cosine = target.dot(map_.up);
-  if (std::abs(cosine) < std::cos(kVertical)) {
+  if (std::abs(cosine) < elementary::cos(kVertical)) {
     throw InvalidOption("gravity", "its axis in the target is not the vertical of the map");
   }
   return (cosine < 0 ? -1 : 1) * options_.gravity->source.normalized();
@@ -101,15 +102,15 @@ PlaceLimits Localisation::limits(const frontend::ScanOutline& outline) const {
       Place place;
       place.heading = heading;
       const Similarity pose = map_.pose_at(place, outline, frontend_.source_viewpoint, 1);
-      const Eigen::AngleAxisd apart(prior.target_from_source.rotation.transpose() * pose.rotation);
-      return apart.angle() <=
+      return geometry::rotation_angle(prior.target_from_source.rotation.transpose() *
+                                      pose.rotation) <=
              prior.max_rotation + frontend::PlaceSearch::half_turn() + kTiltOfStart;
     };
   }
   if (!balls.empty()) {
     limits.position = [balls](double x, double y) {
       return std::all_of(balls.begin(), balls.end(), [&](const Ball& ball) {
-        return std::hypot(x - ball.centre.x(), y - ball.centre.y()) <= ball.radius;
+        return (Eigen::Vector2d(x, y) - ball.centre.head<2>()).norm() <= ball.radius;
       });
     };
   }

@@ -7,6 +7,7 @@
 
 #include "kernels/byte_sums.hpp"
 #include "parallel/parallel_for.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -33,7 +34,7 @@ int least_of_best(const std::vector<std::uint8_t>& scores, std::size_t count) {
 
 /// The points turned about the sensor.
 std::vector<OutlinePoint> turned(const std::vector<OutlinePoint>& points, double heading) {
-  const double c = std::cos(heading), s = std::sin(heading);
+  const double c = elementary::cos(heading), s = elementary::sin(heading);
   std::vector<OutlinePoint> all;
   all.reserve(points.size());
   for (const OutlinePoint& point : points) {

@@ -11,6 +11,7 @@
 #include "frontend/map/level_frame.hpp"
 #include "frontend/map/map_state.hpp"
 #include "frontend/points/extent.hpp"
+#include "geometry/angles.hpp"
 #include "gmcr/invalid_option.hpp"
 #include "gmcr/localisation.hpp"
 
@@ -76,7 +77,7 @@ Similarity MapState::pose_at(const Place& place, const ScanOutline& outline,
   Similarity pose;
   pose.scale = scale;
   pose.rotation = level_from_map.transpose() *
-                  Eigen::AngleAxisd(place.heading, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+                  geometry::turn_about(Eigen::Vector3d::UnitZ(), place.heading) *
                   outline.level_from_scan;
   pose.translation = centre + voxel_size * (level_from_map.transpose() * sensor) -
                      scale * (pose.rotation * viewpoint);

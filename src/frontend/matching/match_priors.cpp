@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -32,7 +33,7 @@ struct Cone {
 Cone cone_of(const Options& options) {
   if (!options.initial_pose) return {};
   const double angle = options.initial_pose->max_rotation;
-  return {std::cos(angle), std::sin(angle)};
+  return {elementary::cos(angle), elementary::sin(angle)};
 }
 
 /// Whether a scale of the range and a turn within the cone bring `a` to within `reach` of `b`.
@@ -97,7 +98,7 @@ MatchPriors::MatchPriors(const OrientedPoints& source, const OrientedPoints& tar
 MatchPriors::Ball MatchPriors::ball_of(const Place& place, const Vector3d& expected) const {
   if (!options_.initial_pose) return {place.centre, place.radius + scales_.max * expected.norm()};
   const double middle = (scales_.min + scales_.max) / 2;
-  const double chord = 2 * std::sin(options_.initial_pose->max_rotation / 2);
+  const double chord = 2 * elementary::sin(options_.initial_pose->max_rotation / 2);
   const double spread = scales_.max * chord + (scales_.max - scales_.min) / 2;
   return {place.centre + middle * expected, place.radius + spread * expected.norm()};
 }
@@ -146,7 +147,7 @@ std::vector<Index> MatchPriors::partners_of(Index i) const {
   const Cone cone = cone_of(options_);
   const double widest =
       kNormalTolerance + (options_.initial_pose ? options_.initial_pose->max_rotation : kPi);
-  const double least_cosine = widest < kPi ? std::cos(widest) : -kInfinity;
+  const double least_cosine = widest < kPi ? elementary::cos(widest) : -kInfinity;
   std::erase_if(partners, [&](Index j) {
     if (normal.dot(target_.normals.col(j)) < least_cosine) return true;
     if (has_ball && options_.gravity && !is_inclined_as(i, j)) return true;

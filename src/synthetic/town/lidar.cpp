@@ -9,6 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
+
 namespace gmcr::synthetic {
 namespace {
 
@@ -40,8 +43,8 @@ Points scan(const RayCaster& caster, const Similarity& town_from_sensor, const L
     const double elevation = kDegree * (lidar.lowest + share * (lidar.highest - lidar.lowest));
     for (int column = 0; column < lidar.num_columns; ++column) {
       const double azimuth = 2 * std::numbers::pi * column / lidar.num_columns;
-      const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth),
-                                std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+      const Eigen::Vector3d ray(elementary::cos(elevation) * elementary::cos(azimuth),
+                                elementary::cos(elevation) * elementary::sin(azimuth), elementary::sin(elevation));
       const double distance = caster.distance(town_from_sensor.translation,
                                               town_from_sensor.rotation * ray, lidar.range);
       const double noise = lidar.noise * random.normal();
@@ -54,10 +57,10 @@ Points scan(const RayCaster& caster, const Similarity& town_from_sensor, const L
 Similarity sensor_at(const TownPlace& place, double max_tilt_deg, Random& random) {
   const double tilt = kDegree * max_tilt_deg;
   Similarity pose;
-  pose.rotation = (Eigen::AngleAxisd(place.heading, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(random.uniform(-tilt, tilt), Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(random.uniform(-tilt, tilt), Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  const double roll = random.uniform(-tilt, tilt), pitch = random.uniform(-tilt, tilt);
+  pose.rotation = geometry::turn_about(Eigen::Vector3d::UnitZ(), place.heading) *
+                  geometry::turn_about(Eigen::Vector3d::UnitY(), pitch) *
+                  geometry::turn_about(Eigen::Vector3d::UnitX(), roll);
   pose.translation = {place.position.x(), place.position.y(), kMountHeight};
   return pose;
 }

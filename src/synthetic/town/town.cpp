@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/elementary.hpp"
+
 namespace gmcr::synthetic {
 namespace {
 
@@ -43,7 +45,7 @@ void add_house(Town& town, const House& house, const Row& row, double at) {
   const auto place = [&](double along, double back) -> Eigen::Vector2d {
     return row.start + along * row.along - back * row.outward;
   };
-  const double c = std::cos(house.turn), s = std::sin(house.turn);
+  const double c = elementary::cos(house.turn), s = elementary::sin(house.turn);
   const Eigen::Vector2d direction = c * row.along + s * row.outward;
   const double middle = at + house.width / 2;
   town.boxes.push_back({place(middle, house.setback + house.depth / 2),
@@ -155,7 +157,7 @@ std::vector<TownPlace> drive(const Town& town, double step) {
     const Eigen::Vector2d along = (to - from) / length;
     double at = 0;
     while (at <= length) {
-      places.push_back({from + at * along, std::atan2(along.y(), along.x())});
+      places.push_back({from + at * along, elementary::atan2(along.y(), along.x())});
       at += step;
     }
   }
