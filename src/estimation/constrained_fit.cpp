@@ -47,10 +47,12 @@ Moments pull_into(const Ball& ball, const Moments& moments, const PoseConstraint
   constexpr int kSteps = 40;
   const auto with_weight = [&](double log_share) {
     Moments with_origin = moments;
-    with_origin += point_moments(ball.source, ball.target, moments.weight * elementary::exp(log_share));
+    with_origin +=
+        point_moments(ball.source, ball.target, moments.weight * elementary::exp(log_share));
     return with_origin;
   };
-  double low = elementary::log(1e-16), high = elementary::log(1e9);  // of the weight over that of all others
+  double low = elementary::log(1e-16),
+         high = elementary::log(1e9);  // of the weight over that of all others
   for (int step = 0; step < kSteps; ++step) {
     const double middle = (low + high) / 2;
     const auto fit = fit_rotation_first(with_weight(middle), constraints);

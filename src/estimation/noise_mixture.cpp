@@ -85,7 +85,8 @@ double NoiseMixture::log_likelihood(const Eigen::ArrayXd& squares) const {
   const Eigen::ArrayXd factors = (1 - share_) * (1 + odds(squares));
   double sum = 0;
   for (Index begin = 0; begin < factors.size(); begin += kTogether) {
-    sum += elementary::log(factors.segment(begin, std::min(kTogether, factors.size() - begin)).prod());
+    sum +=
+        elementary::log(factors.segment(begin, std::min(kTogether, factors.size() - begin)).prod());
   }
   return sum;
 }

@@ -53,7 +53,8 @@ std::optional<Vector3d> into_both_caps(const Vector3d& direction, const Vector3d
   const double between = geometry::angle_between(centre, other);
   const Vector3d normal = axis_between(centre, other), across = normal.cross(centre);
   const double x = elementary::cos(angle);
-  const double y = (elementary::cos(other_angle) - elementary::cos(between) * x) / elementary::sin(between);
+  const double y =
+      (elementary::cos(other_angle) - elementary::cos(between) * x) / elementary::sin(between);
   const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
   const Vector3d corner =
       (x * centre + y * across + (direction.dot(normal) < 0 ? -z : z) * normal).normalized();
@@ -84,7 +85,8 @@ Matrix3d limit_turn(const InitialPose& initial, const Matrix3d& rotation) {
 /// within `limit`: cos(limit / 2) = cos(least / 2) cos(turn / 2).
 double largest_yaw(double least, double limit) {
   if (limit >= std::numbers::pi) return std::numbers::pi;
-  const double squared_sine = elementary::sin((limit + least) / 2) * elementary::sin((limit - least) / 2) /
+  const double squared_sine = elementary::sin((limit + least) / 2) *
+                              elementary::sin((limit - least) / 2) /
                               (elementary::cos(least / 2) * elementary::cos(least / 2));
   return 2 * elementary::asin(std::sqrt(std::clamp(squared_sine, 0.0, 1.0)));
 }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include "problem/selection.hpp"
 #include "geometry/elementary.hpp"
+#include "problem/selection.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -46,7 +46,8 @@ double log10_choose(double n, double k) {
 /// geometric series.
 double log10_tail(double k, double n, double p) {
   if (k <= n * p) return 0;
-  const double first = log10_choose(n, k) + k * elementary::log10(p) + (n - k) * elementary::log10(1 - p);
+  const double first =
+      log10_choose(n, k) + k * elementary::log10(p) + (n - k) * elementary::log10(1 - p);
   const double ratio = (n - k) * p / ((k + 1) * (1 - p));  // < 1 above the mean
   return std::min(0.0, first - elementary::log10(1 - ratio));
 }

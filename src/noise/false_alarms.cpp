@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/elementary.hpp"
 #include "gmcr/options.hpp"
 #include "problem/selection.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::noise {
 namespace {

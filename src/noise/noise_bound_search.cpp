@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "estimation/prior_projection.hpp"
+#include "geometry/elementary.hpp"
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"
 #include "search/best_poses.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::noise {
 namespace {
@@ -148,8 +148,8 @@ void NoiseBoundSearch::climb(Index most) {
 std::vector<double> NoiseBoundSearch::ladder() const {
   const double unit = target_distances_.median();
   std::vector<double> rungs;
-  const int count =
-      1 + static_cast<int>(elementary::log(kHighestRung / kLowestRung) / elementary::log(kRungRatio));
+  const int count = 1 + static_cast<int>(elementary::log(kHighestRung / kLowestRung) /
+                                         elementary::log(kRungRatio));
   rungs.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     rungs.push_back(std::max(kLowestRung * elementary::pow(kRungRatio, k) * unit, rounding_));

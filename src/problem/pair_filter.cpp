@@ -10,11 +10,11 @@
 #include <tuple>
 
 #include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
 #include "kernels/consistency_row.hpp"
 #include "parallel/parallel_for.hpp"
 #include "problem/consistency_graph.hpp"
 #include "problem/symmetric_blocks.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::problem {
 namespace {

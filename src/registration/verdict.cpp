@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/elementary.hpp"
 #include "geometry/units.hpp"
 #include "noise/chance.hpp"
 #include "problem/selection.hpp"
 #include "registration/handedness.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -105,7 +105,8 @@ class Odds {
 /// Of less than one false alarm.
 std::string in_words(double log10) {
   if (log10 > -3) {
-    return "chance would give this once in " + std::to_string(std::lround(elementary::pow(10, -log10)));
+    return "chance would give this once in " +
+           std::to_string(std::lround(elementary::pow(10, -log10)));
   }
   return "chance would give this once in 10^" + std::to_string(std::lround(std::floor(-log10)));
 }

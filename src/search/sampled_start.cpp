@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "estimation/constrained_fit.hpp"
+#include "geometry/elementary.hpp"
 #include "kernels/residuals.hpp"
 #include "problem/selection.hpp"
 #include "refine/local_optimisation.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::search {
 namespace {

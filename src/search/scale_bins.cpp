@@ -25,7 +25,8 @@ ScaleBins::ScaleBins(const ScaleRange& range, double ratio, const problem::Scale
   const int num_in_bucket =
       static_cast<int>(std::min(std::round(1 / elementary::log2(ratio)), num_that_fit));
   edges_.push_back(range.min);
-  const double bucket = std::floor(elementary::log2(range.min) - elementary::log2(buckets.edge(0, 1)));
+  const double bucket =
+      std::floor(elementary::log2(range.min) - elementary::log2(buckets.edge(0, 1)));
   for (int k = num_in_bucket * static_cast<int>(bucket);; ++k) {
     const double next = buckets.edge(k, num_in_bucket);
     if (!(next < range.max)) break;

@@ -9,8 +9,8 @@
 
 #include "frontend/points/extent.hpp"
 #include "geometry/angles.hpp"
-#include "gmcr/frontend.hpp"
 #include "geometry/elementary.hpp"
+#include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
 namespace {

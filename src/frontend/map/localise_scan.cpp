@@ -17,11 +17,11 @@
 #include "frontend/map/placed_scan.hpp"
 #include "frontend/refine_clouds.hpp"
 #include "geometry/angles.hpp"
+#include "geometry/elementary.hpp"
 #include "gmcr/localisation.hpp"
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
 #include "parallel/stopwatch.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr {
 namespace {

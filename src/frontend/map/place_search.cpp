@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/elementary.hpp"
 #include "kernels/byte_sums.hpp"
 #include "parallel/parallel_for.hpp"
-#include "geometry/elementary.hpp"
 
 namespace gmcr::frontend {
 namespace {

@@ -44,7 +44,8 @@ Points scan(const RayCaster& caster, const Similarity& town_from_sensor, const L
     for (int column = 0; column < lidar.num_columns; ++column) {
       const double azimuth = 2 * std::numbers::pi * column / lidar.num_columns;
       const Eigen::Vector3d ray(elementary::cos(elevation) * elementary::cos(azimuth),
-                                elementary::cos(elevation) * elementary::sin(azimuth), elementary::sin(elevation));
+                                elementary::cos(elevation) * elementary::sin(azimuth),
+                                elementary::sin(elevation));
       const double distance = caster.distance(town_from_sensor.translation,
                                               town_from_sensor.rotation * ray, lidar.range);
       const double noise = lidar.noise * random.normal();
