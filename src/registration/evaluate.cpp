@@ -54,9 +54,10 @@ Consensus evaluate_consensus(const Similarity& target_from_source, const PointsR
   require_pose(target_from_source);
   const problem::CallerCorrespondences input{source, target,
                                              problem::inlier_bounds(options, source.cols())};
-  const problem::CallerObjective objective(input, options.evidence, options.memory_limit / 4,
-                                           problem::DistinctEvidence::kAllScales,
-                                           problem::scale_buckets_of(options, source, target));
+  const problem::CallerObjective objective(
+      input, options.evidence, options.memory_limit / 4,
+      ScaleRange{target_from_source.scale, target_from_source.scale},
+      problem::scale_buckets_of(options, source, target));
   const problem::CallerHypothesis judged = objective.judge({target_from_source});
   return {judged.inliers, judged.evidence};
 }

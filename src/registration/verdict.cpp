@@ -80,7 +80,7 @@ class Odds {
       measure(problem.objective());
     } else {
       measure(problem::CallerObjective(judged, Evidence::Distinct, options.memory_limit / 4,
-                                       problem::DistinctEvidence::kAllScales, problem.buckets()));
+                                       ScaleRange{scale, scale}, problem.buckets()));
     }
     chance_ = noise::measure_chance(judged, {result.target_from_source});
     share_ = static_cast<double>(judged.size()) / static_cast<double>(problem.input().size());
