@@ -142,7 +142,7 @@ class Record {
   auto initialiser() const {
     return [fields = fields_, gone = gone_, name = name_](T* self, const nb::args& unnamed,
                                                           const nb::kwargs& keywords) {
-      if (unnamed.size() > 0) {
+      if (!unnamed.empty()) {
         throw nb::type_error(
             (name + "() takes keywords only; write gmcr." + made_like(name)).c_str());
       }

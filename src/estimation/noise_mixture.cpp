@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/elementary.hpp"
+#include "gmcr/types.hpp"
 
 namespace gmcr::estimation {
 namespace {
