@@ -9,6 +9,7 @@ import inspect
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -202,3 +203,14 @@ def test_a_notebook_runs_and_comes_without_output(path):
             assert cell["outputs"] == []
             exec("".join(cell["source"]), names)
     assert "gmcr" in names
+
+
+@pytest.mark.skipif(
+    not shutil.which("dpkg-query"), reason="versions are those of Debian's packages"
+)
+def test_the_bill_of_materials_has_all_that_the_notices_name(tmp_path):
+    out = tmp_path / "gmcr.cdx.json"
+    done = run(ROOT / "tools/sbom", out)
+    assert done.returncode == 0, done.stderr
+    named = {part["name"] for part in json.loads(out.read_text())["components"]}
+    assert named >= {"eigen", "highway", "onetbb", "numpy", "plotly"}
