@@ -36,7 +36,19 @@ AxisAngle axis_angle(const Eigen::Matrix3d& rotation) {
 }
 
 Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
+  const Eigen::Vector3d a = from.stableNormalized(), b = to.stableNormalized(), cross = a.cross(b);
+  const double cosine = b.dot(a), sine = cross.norm();
+  if (cosine < 0) {  // where they are nearly opposite, 1 + cosine would lose its digits
+    constexpr double kSeen = 1e-6;
+    const Eigen::Vector3d axis = sine > kSeen ? cross / sine : a.unitOrthogonal();
+    const Eigen::Quaterniond half_turn(0, axis.x(), axis.y(), axis.z());
+    return (turn_between(half_turn * a, b) * half_turn).normalized();
+  }
+  const double twice = std::sqrt((1 + cosine) * 2);
+  Eigen::Quaterniond turn;
+  turn.vec() = cross / twice;
+  turn.w() = twice / 2;
+  return turn.normalized();
 }
 
 double tilt(const GravityPrior& gravity, const Eigen::Matrix3d& rotation) {
