@@ -38,7 +38,8 @@ AxisAngle axis_angle(const Eigen::Matrix3d& rotation) {
 Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = from.stableNormalized(), b = to.stableNormalized(), cross = a.cross(b);
   const double cosine = b.dot(a), sine = cross.norm();
-  if (cosine < 0) {  // where they are nearly opposite, 1 + cosine would lose its digits
+  constexpr double kOpposite = -0.5;  // below, 1 + cosine would lose digits
+  if (cosine < kOpposite) {
     constexpr double kSeen = 1e-6;
     const Eigen::Vector3d axis = sine > kSeen ? cross / sine : a.unitOrthogonal();
     const Eigen::Quaterniond half_turn(0, axis.x(), axis.y(), axis.z());

@@ -14,11 +14,12 @@ using Eigen::Vector3d;
 
 TEST(Angles, TurnBetweenIsARotationThatTakesOneToTheOther) {
   testing::RandomGeometry random(11);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Vector3d from = random.unit();
-    // nearly opposite, nearly equal, and all between
+    // nearly equal, nearly opposite, nearly at right angles, and all between
     const Vector3d beside = std::pow(10, random.uniform(-18, 1)) * random.unit();
-    const Vector3d to = ((i % 2 ? -from : from) + beside).normalized();
+    const Vector3d near_to[] = {from, -from, from.unitOrthogonal()};
+    const Vector3d to = (near_to[i % 3] + beside).normalized();
     const Matrix3d turn = geometry::turn_between(3 * from, to / 7).toRotationMatrix();
     ASSERT_LT((turn * turn.transpose() - Matrix3d::Identity()).norm(), 1e-14) << beside.norm();
     ASSERT_LT((turn * from - to).norm(), 1e-14) << beside.norm();
