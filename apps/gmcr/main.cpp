@@ -13,13 +13,13 @@
 #include <string>
 #include <system_error>
 
-#include "arguments/help.hpp"
 #include "arguments/option_flags.hpp"
-#include "arguments/spelling.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/invalid_option.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
+#include "help/help.hpp"
+#include "help/spelling.hpp"
 #include "output/stderr_text.hpp"
 #include "output/terminal.hpp"
 

@@ -20,17 +20,17 @@
 #include <string>
 #include <vector>
 
-#include "kernels/bit_row.hpp"
-#include "kernels/consistency_tiles.hpp"
-#include "kernels/descriptor_distances.hpp"
+#include "kernels/bits/bit_row.hpp"
+#include "kernels/features/descriptor_distances.hpp"
+#include "kernels/features/nearest_features.hpp"
+#include "kernels/features/pair_angles.hpp"
 #include "kernels/forced_isa.hpp"
-#include "kernels/near_points.hpp"
-#include "kernels/nearest_features.hpp"
-#include "kernels/pair_angles.hpp"
-#include "kernels/residuals.hpp"
+#include "kernels/pairs/consistency_tiles.hpp"
+#include "kernels/points/near_points.hpp"
+#include "kernels/points/residuals.hpp"
 #include "micro/themes.hpp"
 #include "paper/rotation_consensus.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 
 namespace gmcr::bench {
 namespace {

@@ -7,9 +7,9 @@
 #include "clique/clique.hpp"
 #include "gmcr/registration.hpp"
 #include "micro/themes.hpp"
-#include "problem/consistency_graph.hpp"
-#include "problem/objective.hpp"
-#include "problem/symmetric_blocks.hpp"
+#include "problem/graph/consistency_graph.hpp"
+#include "problem/graph/symmetric_blocks.hpp"
+#include "problem/objective/objective.hpp"
 
 namespace gmcr::bench {
 namespace {

@@ -1,7 +1,7 @@
 #include "bindings.hpp"
+#include "conversion/interruptible.hpp"
+#include "conversion/option_record.hpp"
 #include "gmcr/clique.hpp"
-#include "interruptible.hpp"
-#include "option_record.hpp"
 
 namespace gmcr::python {
 namespace {

@@ -1,11 +1,11 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
+#include "conversion/interruptible.hpp"
+#include "conversion/pose_properties.hpp"
+#include "conversion/record.hpp"
+#include "conversion/report_methods.hpp"
 #include "gmcr/frontend.hpp"
-#include "interruptible.hpp"
-#include "pose_properties.hpp"
-#include "record.hpp"
-#include "report_methods.hpp"
 
 namespace gmcr::python {
 namespace {

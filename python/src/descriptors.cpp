@@ -1,7 +1,7 @@
 #include "gmcr/descriptors.hpp"
 
 #include "bindings.hpp"
-#include "record.hpp"
+#include "conversion/record.hpp"
 
 namespace gmcr::python {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
+#include "conversion/arrays.hpp"
 #include "gmcr/io.hpp"
 
 namespace gmcr::python {

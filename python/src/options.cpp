@@ -1,7 +1,7 @@
 #include "gmcr/options.hpp"
 
 #include "bindings.hpp"
-#include "option_record.hpp"
+#include "conversion/option_record.hpp"
 
 namespace gmcr::python {
 

@@ -1,11 +1,11 @@
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
+#include "conversion/arrays.hpp"
+#include "conversion/interruptible.hpp"
+#include "conversion/prepared_file.hpp"
 #include "gmcr/prepared_cloud.hpp"
-#include "interruptible.hpp"
-#include "prepared_file.hpp"
 
 namespace gmcr::python {
 namespace {

@@ -1,7 +1,7 @@
 #include "gmcr/registration.hpp"
 
 #include "bindings.hpp"
-#include "interruptible.hpp"
+#include "conversion/interruptible.hpp"
 
 namespace gmcr::python {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "bindings.hpp"
+#include "conversion/pose_properties.hpp"
+#include "conversion/record.hpp"
+#include "conversion/report_methods.hpp"
 #include "gmcr/registration.hpp"
-#include "pose_properties.hpp"
-#include "record.hpp"
-#include "report_methods.hpp"
 
 namespace gmcr::python {
 

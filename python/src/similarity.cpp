@@ -1,8 +1,8 @@
 #include "gmcr/similarity.hpp"
 
 #include "bindings.hpp"
+#include "conversion/record.hpp"
 #include "gmcr/metrics.hpp"
-#include "record.hpp"
 
 namespace gmcr::python {
 namespace {

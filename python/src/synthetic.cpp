@@ -1,8 +1,8 @@
 #include "gmcr/synthetic.hpp"
 
 #include "bindings.hpp"
-#include "option_record.hpp"
-#include "pose_properties.hpp"
+#include "conversion/option_record.hpp"
+#include "conversion/pose_properties.hpp"
 
 namespace gmcr::python {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/prior_projection.hpp"
+#include "estimation/fits/prior_projection.hpp"
 #include "geometry/elementary.hpp"
 #include "paper/paper_method.hpp"
 #include "problem/problem.hpp"

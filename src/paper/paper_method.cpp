@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "estimation/constrained_fit.hpp"
+#include "estimation/fits/constrained_fit.hpp"
 #include "paper/rotation_consensus.hpp"
 #include "paper/scale_consensus.hpp"
 #include "paper/translation_consensus.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 
 namespace gmcr::paper {
 namespace {

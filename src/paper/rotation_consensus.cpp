@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "estimation/rotation.hpp"
-#include "problem/graph_rows.hpp"
-#include "problem/symmetric_blocks.hpp"
+#include "estimation/closed_forms/rotation.hpp"
+#include "problem/graph/graph_rows.hpp"
+#include "problem/graph/symmetric_blocks.hpp"
 
 namespace gmcr::paper {
 namespace {

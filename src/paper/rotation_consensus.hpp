@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gmcr/bitset_graph.hpp"
-#include "kernels/rotation_row.hpp"
+#include "kernels/pairs/rotation_row.hpp"
 #include "paper/tims.hpp"
 #include "parallel/deadline.hpp"
 #include "problem/run.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/scale.hpp"
+#include "estimation/closed_forms/scale.hpp"
 #include "paper/interval_sweep.hpp"
 
 namespace gmcr::paper {

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "estimation/translation.hpp"
-#include "problem/graph_rows.hpp"
+#include "estimation/closed_forms/translation.hpp"
+#include "problem/graph/graph_rows.hpp"
 
 namespace gmcr::paper {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "parallel/parallel_for.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "problem/input.hpp"
 #include "problem/scales.hpp"
 

@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/pose_constraints.hpp"
+#include "estimation/fits/pose_constraints.hpp"
 #include "geometry/correspondence_arrays.hpp"
 #include "gmcr/options.hpp"
 #include "problem/correspondences.hpp"
-#include "problem/objective.hpp"
-#include "problem/pair_filter.hpp"
+#include "problem/graph/pair_filter.hpp"
+#include "problem/objective/objective.hpp"
 #include "problem/run.hpp"
 #include "problem/scale_buckets.hpp"
 

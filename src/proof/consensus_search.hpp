@@ -13,7 +13,7 @@
 #include "gmcr/similarity.hpp"
 #include "parallel/deadline.hpp"
 #include "problem/correspondences.hpp"
-#include "problem/measure.hpp"
+#include "problem/objective/measure.hpp"
 #include "proof/infeasible_sets.hpp"
 
 namespace gmcr::proof {

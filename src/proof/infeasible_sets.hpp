@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "estimation/minimax_fit.hpp"
-#include "estimation/moments.hpp"
+#include "estimation/closed_forms/moments.hpp"
+#include "estimation/fits/minimax_fit.hpp"
 #include "geometry/correspondence_arrays.hpp"
 #include "gmcr/options.hpp"
 

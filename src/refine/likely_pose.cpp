@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "estimation/noise_mixture.hpp"
+#include "estimation/uncertainty/noise_mixture.hpp"
 #include "refine/pose_neighbourhood.hpp"
 
 namespace gmcr::refine {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/minimax_fit.hpp"
-#include "problem/measure.hpp"
+#include "estimation/fits/minimax_fit.hpp"
+#include "problem/objective/measure.hpp"
 #include "refine/pose_neighbourhood.hpp"
 
 namespace gmcr::refine {

@@ -1,8 +1,8 @@
 #include "refine/pose_neighbourhood.hpp"
 
-#include "estimation/constrained_fit.hpp"
-#include "estimation/moments.hpp"
-#include "kernels/residuals.hpp"
+#include "estimation/closed_forms/moments.hpp"
+#include "estimation/fits/constrained_fit.hpp"
+#include "kernels/points/residuals.hpp"
 
 namespace gmcr::refine {
 

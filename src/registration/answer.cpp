@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "estimation/prior_projection.hpp"
+#include "estimation/fits/prior_projection.hpp"
 #include "proof/certificate.hpp"
-#include "registration/degeneracy.hpp"
-#include "registration/uncertainty.hpp"
-#include "registration/verdict.hpp"
+#include "registration/judgement/degeneracy.hpp"
+#include "registration/judgement/uncertainty.hpp"
+#include "registration/judgement/verdict.hpp"
 
 namespace gmcr::registration {
 namespace {

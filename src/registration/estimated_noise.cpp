@@ -6,9 +6,9 @@
 #include "noise/noise_estimation.hpp"
 #include "parallel/deadline.hpp"
 #include "parallel/parallel_for.hpp"
-#include "problem/objective.hpp"
+#include "problem/objective/objective.hpp"
 #include "proof/certificate.hpp"
-#include "registration/verdict.hpp"
+#include "registration/judgement/verdict.hpp"
 
 namespace gmcr::registration {
 namespace {

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "gmcr/registration.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
+#include "problem/graph/pair_filter.hpp"
 #include "problem/input.hpp"
-#include "problem/objective.hpp"
-#include "problem/pair_filter.hpp"
+#include "problem/objective/objective.hpp"
 #include "problem/scales.hpp"
-#include "registration/degeneracy.hpp"
-#include "registration/uncertainty.hpp"
+#include "registration/judgement/degeneracy.hpp"
+#include "registration/judgement/uncertainty.hpp"
 
 namespace gmcr {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "search/conflict_bounds.hpp"
-#include "search/scale_modes.hpp"
+#include "search/scales/scale_modes.hpp"
 
 namespace gmcr::search {
 namespace {

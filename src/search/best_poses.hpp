@@ -4,7 +4,7 @@
 
 #include "problem/problem.hpp"
 #include "search/sampled_start.hpp"
-#include "search/scale_branch_and_bound.hpp"
+#include "search/scales/scale_branch_and_bound.hpp"
 
 namespace gmcr::search {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "clique/clique.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 
 namespace gmcr::search {
 namespace {

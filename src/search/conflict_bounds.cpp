@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "kernels/consistency_row.hpp"
+#include "kernels/pairs/consistency_row.hpp"
 #include "problem/selection.hpp"
 
 namespace gmcr::search {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problem/measure.hpp"
+#include "problem/objective/measure.hpp"
 #include "problem/problem.hpp"
 
 namespace gmcr::search {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "estimation/constrained_fit.hpp"
+#include "estimation/fits/constrained_fit.hpp"
 
 namespace gmcr::search {
 namespace {

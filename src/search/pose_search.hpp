@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "problem/measure.hpp"
+#include "problem/objective/measure.hpp"
 #include "problem/problem.hpp"
 #include "problem/run.hpp"
 #include "refine/local_optimisation.hpp"

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "estimation/constrained_fit.hpp"
+#include "estimation/fits/constrained_fit.hpp"
 #include "geometry/elementary.hpp"
-#include "kernels/residuals.hpp"
+#include "kernels/points/residuals.hpp"
 #include "problem/selection.hpp"
 #include "refine/local_optimisation.hpp"
 

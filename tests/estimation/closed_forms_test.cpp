@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/rotation.hpp"
-#include "estimation/scale.hpp"
-#include "estimation/spread.hpp"
-#include "estimation/translation.hpp"
+#include "estimation/closed_forms/rotation.hpp"
+#include "estimation/closed_forms/scale.hpp"
+#include "estimation/closed_forms/translation.hpp"
+#include "estimation/uncertainty/spread.hpp"
 #include "gmcr/metrics.hpp"
 #include "random_geometry.hpp"
 

@@ -1,4 +1,4 @@
-#include "estimation/covariance.hpp"
+#include "estimation/uncertainty/covariance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "estimation/similarity_fit.hpp"
+#include "estimation/closed_forms/similarity_fit.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::estimation {

@@ -1,4 +1,4 @@
-#include "estimation/minimax_fit.hpp"
+#include "estimation/fits/minimax_fit.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

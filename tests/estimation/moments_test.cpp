@@ -1,10 +1,10 @@
-#include "estimation/moments.hpp"
+#include "estimation/closed_forms/moments.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "estimation/similarity_fit.hpp"
+#include "estimation/closed_forms/similarity_fit.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::estimation {

@@ -1,4 +1,4 @@
-#include "estimation/noise_mixture.hpp"
+#include "estimation/uncertainty/noise_mixture.hpp"
 
 #include <gtest/gtest.h>
 

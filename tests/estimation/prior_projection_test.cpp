@@ -1,4 +1,4 @@
-#include "estimation/prior_projection.hpp"
+#include "estimation/fits/prior_projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "estimation/constrained_fit.hpp"
+#include "estimation/fits/constrained_fit.hpp"
 #include "geometry/angles.hpp"
 #include "gmcr/metrics.hpp"
 #include "random_geometry.hpp"

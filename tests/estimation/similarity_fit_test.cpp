@@ -1,4 +1,4 @@
-#include "estimation/similarity_fit.hpp"
+#include "estimation/closed_forms/similarity_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "estimation/singular_pairs.hpp"
+#include "estimation/closed_forms/singular_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/rotation.hpp"
+#include "estimation/closed_forms/rotation.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::estimation {

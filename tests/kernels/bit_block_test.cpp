@@ -1,4 +1,4 @@
-#include "kernels/bit_block.hpp"
+#include "kernels/bits/bit_block.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/bit_columns.hpp"
+#include "kernels/bits/bit_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/bit_row.hpp"
+#include "kernels/bits/bit_row.hpp"
 
 #include <gtest/gtest.h>
 

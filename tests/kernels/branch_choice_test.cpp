@@ -1,4 +1,4 @@
-#include "kernels/branch_choice.hpp"
+#include "kernels/bits/branch_choice.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/byte_sums.hpp"
+#include "kernels/pairs/byte_sums.hpp"
 
 #include <gtest/gtest.h>
 

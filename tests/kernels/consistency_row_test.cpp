@@ -1,4 +1,4 @@
-#include "kernels/consistency_row.hpp"
+#include "kernels/pairs/consistency_row.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/consistency_tiles.hpp"
+#include "kernels/pairs/consistency_tiles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/descriptor_distances.hpp"
+#include "kernels/features/descriptor_distances.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/near_points.hpp"
+#include "kernels/points/near_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/nearest_features.hpp"
+#include "kernels/features/nearest_features.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/pair_angles.hpp"
+#include "kernels/features/pair_angles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/residuals.hpp"
+#include "kernels/points/residuals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/rotation_row.hpp"
+#include "kernels/pairs/rotation_row.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernels/scale_row.hpp"
+#include "kernels/pairs/scale_row.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "for_each_isa.hpp"
 #include "random_geometry.hpp"
-#include "search/scale_bins.hpp"
+#include "search/scales/scale_bins.hpp"
 
 namespace gmcr {
 namespace {

@@ -1,4 +1,4 @@
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 
 #include <gtest/gtest.h>
 

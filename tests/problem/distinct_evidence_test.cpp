@@ -1,4 +1,4 @@
-#include "problem/distinct_evidence.hpp"
+#include "problem/objective/distinct_evidence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "problem/graph_rows.hpp"
+#include "problem/graph/graph_rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "problem/objective.hpp"
+#include "problem/objective/objective.hpp"
 
 #include <gtest/gtest.h>
 

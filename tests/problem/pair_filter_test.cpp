@@ -1,4 +1,4 @@
-#include "problem/pair_filter.hpp"
+#include "problem/graph/pair_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/consistency_row.hpp"
-#include "problem/consistency_graph.hpp"
+#include "kernels/pairs/consistency_row.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::problem {

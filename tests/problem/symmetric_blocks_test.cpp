@@ -1,4 +1,4 @@
-#include "problem/symmetric_blocks.hpp"
+#include "problem/graph/symmetric_blocks.hpp"
 
 #include <gtest/gtest.h>
 

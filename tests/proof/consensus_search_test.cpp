@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gmcr/clique.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::proof {

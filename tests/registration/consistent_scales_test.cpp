@@ -1,4 +1,4 @@
-#include "registration/consistent_scales.hpp"
+#include "registration/judgement/consistent_scales.hpp"
 
 #include <gtest/gtest.h>
 

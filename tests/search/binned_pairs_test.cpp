@@ -1,11 +1,11 @@
-#include "search/binned_pairs.hpp"
+#include "search/scales/binned_pairs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "random_geometry.hpp"
 
 namespace gmcr::search {

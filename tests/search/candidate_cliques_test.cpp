@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "built_problem.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 
 namespace gmcr::search {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "built_problem.hpp"
 #include "gmcr/clique.hpp"
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "search/candidate_cliques.hpp"
 
 namespace gmcr::search {

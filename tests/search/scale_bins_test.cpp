@@ -1,4 +1,4 @@
-#include "search/scale_bins.hpp"
+#include "search/scales/scale_bins.hpp"
 
 #include <gtest/gtest.h>
 

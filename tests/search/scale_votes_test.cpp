@@ -1,12 +1,12 @@
-#include "search/scale_votes.hpp"
+#include "search/scales/scale_votes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "problem/consistency_graph.hpp"
+#include "problem/graph/consistency_graph.hpp"
 #include "random_geometry.hpp"
-#include "search/vote_tally.hpp"
+#include "search/scales/vote_tally.hpp"
 
 namespace gmcr::search {
 namespace {

@@ -15,7 +15,7 @@ namespace {
 
 using options::About;
 
-std::string metavar_of(const std::string& unit) {
+std::string metavar_of_unit(const std::string& unit) {
   if (unit == "metres") return "M";
   if (unit == "seconds") return "S";
   if (unit == "bytes") return "BYTES";
@@ -47,7 +47,7 @@ CLI::Option* add_number(CLI::App& command, const About& about, Value& value) {
       command.add_option(flags_of(about.name, about.alias), value, options::describe(about))
           ->default_str(default_of(value));
   if constexpr (std::is_unsigned_v<Value>) flag->check(not_negative());
-  const std::string metavar = metavar_of(about.unit);
+  const std::string metavar = metavar_of_unit(about.unit);
   if constexpr (std::is_same_v<Value, std::size_t>) {
     if (metavar == "BYTES") {
       flag->transform(CLI::AsSizeValue(false));

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "arguments/completion.hpp"
-#include "arguments/manual.hpp"
 #include "commands/commands.hpp"
+#include "help/completion.hpp"
+#include "help/manual.hpp"
 
 namespace gmcr::cli {
 namespace {

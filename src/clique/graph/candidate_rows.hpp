@@ -1,8 +1,8 @@
 #pragma once
 
 #include "clique/graph/bit_rows.hpp"
-#include "kernels/aligned_words.hpp"
-#include "kernels/branch_choice.hpp"
+#include "kernels/bits/aligned_words.hpp"
+#include "kernels/bits/branch_choice.hpp"
 
 namespace gmcr::clique {
 

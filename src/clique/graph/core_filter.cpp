@@ -1,7 +1,7 @@
 #include "clique/graph/core_filter.hpp"
 
 #include "clique/graph/degrees.hpp"
-#include "kernels/bit_row.hpp"
+#include "kernels/bits/bit_row.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::clique {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "kernels/bit_block.hpp"
-#include "kernels/branch_choice.hpp"
+#include "kernels/bits/bit_block.hpp"
+#include "kernels/bits/branch_choice.hpp"
 
 namespace gmcr::clique {
 

@@ -6,8 +6,8 @@
 
 #include "clique/graph/bit_rows.hpp"
 #include "clique/graph/search_budget.hpp"
-#include "kernels/aligned_words.hpp"
-#include "kernels/bit_columns.hpp"
+#include "kernels/bits/aligned_words.hpp"
+#include "kernels/bits/bit_columns.hpp"
 
 namespace gmcr::clique {
 

@@ -5,7 +5,7 @@
 
 #include "clique/graph/packed_graph.hpp"
 #include "clique/graph/search_budget.hpp"
-#include "kernels/branch_choice.hpp"
+#include "kernels/bits/branch_choice.hpp"
 
 namespace gmcr::clique {
 

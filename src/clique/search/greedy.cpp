@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clique/graph/packed_graph.hpp"
-#include "kernels/bit_row.hpp"
+#include "kernels/bits/bit_row.hpp"
 
 namespace gmcr::clique {
 namespace {

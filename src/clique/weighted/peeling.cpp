@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "clique/graph/degrees.hpp"
-#include "kernels/bit_row.hpp"
+#include "kernels/bits/bit_row.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::clique {

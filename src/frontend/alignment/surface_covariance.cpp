@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/covariance.hpp"
+#include "estimation/uncertainty/covariance.hpp"
 #include "frontend/alignment/align.hpp"
 #include "frontend/alignment/plane_metric.hpp"
 #include "frontend/alignment/surface_fit.hpp"

@@ -6,7 +6,7 @@
 
 #include "frontend/features/normals.hpp"
 #include "gmcr/frontend.hpp"
-#include "kernels/pair_angles.hpp"
+#include "kernels/features/pair_angles.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/elementary.hpp"
-#include "kernels/byte_sums.hpp"
+#include "kernels/pairs/byte_sums.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {

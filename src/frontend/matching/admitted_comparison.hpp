@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frontend/matching/match_priors.hpp"
-#include "kernels/nearest_features.hpp"
+#include "kernels/features/nearest_features.hpp"
 
 namespace gmcr::frontend {
 

@@ -7,7 +7,7 @@
 
 #include "frontend/matching/admitted_comparison.hpp"
 #include "frontend/matching/indexed_comparison.hpp"
-#include "kernels/nearest_features.hpp"
+#include "kernels/features/nearest_features.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {

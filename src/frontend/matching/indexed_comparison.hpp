@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frontend/features/fpfh.hpp"
-#include "kernels/nearest_features.hpp"
+#include "kernels/features/nearest_features.hpp"
 #include "parallel/deadline.hpp"
 
 namespace gmcr::frontend {

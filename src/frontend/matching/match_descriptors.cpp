@@ -9,7 +9,7 @@
 
 #include "gmcr/descriptors.hpp"
 #include "gmcr/invalid_option.hpp"
-#include "kernels/descriptor_distances.hpp"
+#include "kernels/features/descriptor_distances.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gmcr/types.hpp"
-#include "kernels/near_points.hpp"
+#include "kernels/points/near_points.hpp"
 
 namespace gmcr::frontend {
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "search/scales/voted_bins.hpp"
+
+namespace gmcr::search {
+
+/// Branch and bound over the scale (L5).
+class ScaleBranchAndBound {
+ public:
+  /// A tighter proven bound on the measure of poses in a range than the given one, by whatever it
+  /// tries; nullopt: it tries nothing any more.
+  using Tighten =
+      std::function<std::optional<double>(const RangeGraph&, Measure, double upper_bound)>;
+
+  /// Starts with the bins. Keeps the references.
+  ScaleBranchAndBound(PoseSearch& search, VotedBins& voted);
+
+  /// Searches the graphs of the ranges of largest bound on a measure for cliques; halves those
+  /// whose bound stays above what is to be beaten, until none does, no halving can lower the
+  /// largest bound or the number of graphs is spent.
+  /// @param tighten  tried on each range after the cliques, and halving goes on below the bounds
+  ///   that pairs of correspondences give; null: none.
+  /// @return upper bound on the measure of any pose.
+  double lower_upper_bound(Measure measure, const Tighten& tighten = nullptr);
+
+ private:
+  /// A range of scales and the most that a pose in it can have.
+  struct Range {
+    ScaleRange scales;
+    Index bin = 0;  ///< that it is part of
+    PerMeasure bounds;
+    PerMeasure floors = {};  ///< that no halving brings the bounds below
+    bool searched[2] = {};   ///< by cliques, for each measure
+    bool tightened[2] = {};  ///< for each measure
+  };
+
+  /// @return whether `tighten`, if any, goes on.
+  bool search_range(Range& range, Measure measure, const Tighten& tighten);
+  void search_inliers(Range& range, const RangeGraph& graph);
+  void search_evidence(Range& range, const RangeGraph& graph);
+  bool is_done(const Range& range, Measure measure, bool with_tightening) const;
+
+  PoseSearch& search_;
+  VotedBins& voted_;
+  std::vector<Range> ranges_;
+};
+
+}  // namespace gmcr::search
