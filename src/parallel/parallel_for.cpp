@@ -1,16 +1,18 @@
 #include "parallel/parallel_for.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 
+#include "parallel/chunk_queue.hpp"
+
 namespace gmcr::parallel {
 namespace {
 
-/// As many threads as TBB would give; it prints a warning where an arena asks for more.
+/// As many threads as TBB would give.
 int allowed_threads(int num_threads) {
   const auto limit =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -25,21 +27,15 @@ int resolve_num_threads(int num_threads) {
 
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body) {
-  if (count <= 0) return;
-  const Index num_chunks = (count + grain - 1) / grain;
-  const auto run_chunk = [&](Index chunk) {
-    body(chunk * grain, std::min(count, (chunk + 1) * grain));
-  };
-  const int threads = allowed_threads(resolve_num_threads(num_threads));
-  if (threads == 1 || num_chunks == 1) {
-    for (Index chunk = 0; chunk < num_chunks; ++chunk) run_chunk(chunk);
-    return;
-  }
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<Index>(0, num_chunks, 1), [&](const auto& range) {
-      for (Index chunk = range.begin(); chunk != range.end(); ++chunk) run_chunk(chunk);
-    });
+  ChunkQueue chunks(count, grain);
+  const Index threads =
+      std::min<Index>(allowed_threads(resolve_num_threads(num_threads)), chunks.num_chunks());
+  if (threads <= 1) return chunks.work_off(body);
+  // No task_arena, which would keep to the number of threads by itself: TBB 2021 leaves 7 KB behind
+  // for each that ends before its workers leave it, and goes on looking through all of them.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        Index{0}, threads, [&](Index) { chunks.work_off(body); }, tbb::simple_partitioner());
   });
 }
 

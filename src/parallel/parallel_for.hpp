@@ -21,8 +21,8 @@ inline int threads_for_pairs(Index count, int num_threads) {
 /// body that writes only to its own range, or to a slot of index begin / grain, gives the same bits
 /// for any number of threads. An exception of a body reaches the caller.
 ///
-/// The threads are TBB's, of an arena of its own: no more than TBB allows the process (as many as
-/// there are cores, or what a host program set), and other work of the host keeps its own.
+/// The threads are TBB's: no more than it allows the process (as many as there are cores, or what a
+/// host program set) or the arena that this is called in; tasks of the host wait until it is done.
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body);
 

@@ -1,12 +1,12 @@
 // parallel_for by threads of the standard library, for a build with ThreadSanitizer: that sees
 // every access of ours, but not how a library without its instrumentation orders them.
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "parallel/chunk_queue.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace gmcr::parallel {
@@ -18,23 +18,19 @@ int resolve_num_threads(int num_threads) {
 
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body) {
-  const Index num_chunks = (std::max<Index>(count, 0) + grain - 1) / grain;
-  std::atomic<Index> next = 0;
+  ChunkQueue chunks(count, grain);
   std::mutex mutex;
   std::exception_ptr failure;
-  // relaxed: the count of chunks must not order what they do
-  const auto take = [&] { return next.fetch_add(1, std::memory_order_relaxed); };
   const auto work = [&] {
     try {
-      for (Index chunk = take(); chunk < num_chunks; chunk = take()) {
-        body(chunk * grain, std::min(count, (chunk + 1) * grain));
-      }
+      chunks.work_off(body);
     } catch (...) {
       const std::scoped_lock lock(mutex);
       failure = std::current_exception();
     }
   };
-  const Index num_others = std::min<Index>(resolve_num_threads(num_threads), num_chunks) - 1;
+  const Index num_others =
+      std::min<Index>(resolve_num_threads(num_threads), chunks.num_chunks()) - 1;
   {
     std::vector<std::jthread> others;
     for (Index i = 0; i < num_others; ++i) others.emplace_back(work);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -45,6 +47,40 @@ TEST(ParallelFor, ForwardsAnExceptionOfTheBody) {
                               }),
                  std::runtime_error);
   }
+}
+
+TEST(ParallelFor, TakesNoOtherChunkAfterAnException) {
+  std::atomic<int> num_visited = 0;
+  EXPECT_THROW(parallel_for(1000, 1, 1,
+                            [&](Index, Index) {
+                              if (++num_visited == 3) throw std::runtime_error("3");
+                            }),
+               std::runtime_error);
+  EXPECT_EQ(num_visited, 3);
+}
+
+/// Bytes that the process has in memory, those of allocators beside malloc as well.
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+TEST(ParallelFor, LeavesNoMemoryBehind) {
+  const auto call_often = [](int times) {
+    std::atomic<Index> num_visited = 0;
+    for (int i = 0; i < times; ++i) {
+      parallel_for(40, 1, 2, [&](Index, Index) {
+        for (int k = 0; k < 100; ++k) num_visited.fetch_add(1, std::memory_order_relaxed);
+      });
+    }
+    return num_visited.load();
+  };
+  call_often(100);
+  const std::size_t before = resident_bytes();
+  EXPECT_EQ(call_often(5000), Index{5000 * 40 * 100});
+  EXPECT_LT(resident_bytes(), before + 4'000'000);
 }
 
 TEST(ResolveNumThreads, KeepsARequestAndTurnsZeroIntoEveryCore) {
