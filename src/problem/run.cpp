@@ -18,7 +18,7 @@ std::uint64_t max_work(const BitsetGraph& graph, int log2_least, std::uint64_t p
 }
 
 /// To find a clique.
-std::uint64_t work_to_find(const BitsetGraph& graph) { return max_work(graph, 20, 1); }
+std::uint64_t work_to_find(const BitsetGraph& graph) { return max_work(graph, 18, 1); }
 
 /// Of a search by weight whose bound is asked for.
 std::uint64_t work_to_bound(const BitsetGraph& graph) { return max_work(graph, 22, 4); }
