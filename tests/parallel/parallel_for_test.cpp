@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -106,6 +107,22 @@ TEST(ParallelFor, LeavesTheParallelismOfItsHostAsItIs) {
     EXPECT_EQ(num_visited, 100) << threads;
     EXPECT_EQ(allowed_parallelism(), before) << threads;
   }
+}
+
+TEST(ParallelFor, KeepsToTheArenaThatItIsCalledIn) {
+  tbb::task_arena one_slot(1);
+  std::atomic<Index> num_elsewhere = 0, num_visited = 0;
+  one_slot.execute([&] {
+    const auto here = std::this_thread::get_id();
+    parallel_for(100, 1, 8, [&](Index, Index) {
+      num_elsewhere += std::this_thread::get_id() != here;
+      ++num_visited;
+    });
+  });
+#ifndef GMCR_PLAIN_THREADS
+  EXPECT_EQ(num_elsewhere, 0);
+#endif
+  EXPECT_EQ(num_visited, 100);
 }
 
 TEST(ParallelFor, KeepsToTheThreadsThatItsHostAllows) {
