@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clique/clique.hpp"
+#include "kernels/bits/bit_row.hpp"
 #include "problem/graph/consistency_graph.hpp"
 
 namespace gmcr::search {
@@ -17,8 +18,6 @@ constexpr Index kMaxCandidates = 256;
 constexpr double kExplained = 3;
 /// A clique with less than this part of the best evidence is no rival.
 constexpr double kLeastPart = 0.5;
-/// Starts whose bound is computed, a start that may be taken.
-constexpr Index kMaxBounded = 8;
 
 parallel::Deadline graph_deadline(const PoseSearch& search) {
   const bool is_quick = search.problem().arrays().size() <= problem::kQuickGraph;
@@ -33,13 +32,26 @@ void isolate(BitsetGraph& graph, Index v) {
   std::fill(row.begin(), row.end(), 0);
 }
 
-/// Most evidence of a clique with vertex v: that of v and its neighbours.
-double evidence_around(const BitsetGraph& graph, const std::vector<double>& weights, Index v) {
+/// Whether a clique with vertex v may have more evidence: of v and its neighbours, and of those of
+/// them that share as many neighbours with it as such a clique needs.
+bool may_exceed(double evidence, const BitsetGraph& graph, const std::vector<double>& weights,
+                Index v) {
   const auto weight = [&](Index u) { return weights[static_cast<std::size_t>(u)]; };
-  double around = weight(v);
   const auto row = graph.row(v);
-  clique::for_each_bit(row.data(), graph.words_per_row(), [&](Index u) { around += weight(u); });
-  return around;
+  const Index words = graph.words_per_row();
+  double around = weight(v);
+  std::vector<Index> neighbours;
+  clique::for_each_bit(row.data(), words, [&](Index u) {
+    around += weight(u);
+    neighbours.push_back(u);
+  });
+  for (const Index u : neighbours) {
+    if (around <= evidence) break;
+    // a weight is at most 1
+    const Index most = 2 + kernels::count_common_bits(row.data(), graph.row(u).data(), words);
+    if (static_cast<double>(most) <= evidence) around -= weight(u);
+  }
+  return around > evidence;
 }
 
 std::vector<Index> by_descending(const std::vector<Index>& values) {
@@ -106,17 +118,16 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   };
   covered.assign(static_cast<std::size_t>(n), false);
   leave_out_explained();
-  Index num_starts = 0, num_bounded = 0;
+  Index num_starts = 0;
   for (const Index v : order) {
-    // one is tried in any case: a pose from samples is a poor one
+    // one is looked at in any case: a pose from samples is a poor one
     if (num_starts == max_starts) return;
     if (num_starts > 0 && search.best() && search.run().stopped()) return;
     const double to_beat = search.to_beat(Measure::Evidence);
     if (static_cast<double>(degree[static_cast<std::size_t>(v)] + 1) <= to_beat) return;
     if (covered[static_cast<std::size_t>(v)] || !clique::test_bit(unexplained.data(), v)) continue;
-    if (num_bounded++ == kMaxBounded * max_starts) return;
-    if (evidence_around(range.graph, weights, v) <= to_beat) continue;
     ++num_starts;
+    if (!may_exceed(to_beat, range.graph, weights, v)) continue;
     const std::vector<Index> clique = [&] {
       const StageTimer timer(search.run(), "clique");
       return clique::greedy_clique(range.graph, v, degree, kMaxCandidates, unexplained);

@@ -61,9 +61,6 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
   };
   // as good as one scale: pairwise bounds tell no more
   const auto is_narrow = [](const ScaleRange& s) { return s.max / s.min < kMinRatio; };
-  const auto is_at_floor = [&](const Range& r) {
-    return r.floors.of(measure) >= r.bounds.of(measure);
-  };
   const Index max_graphs = 2 * voted_.bins().size();
   Index num_open = 0;
   bool is_over = false;
@@ -78,7 +75,7 @@ double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& ti
     }
     if (search_.run().stopped()) break;
     const bool done = is_done(ranges_.front(), measure, tighten != nullptr);
-    if (done && (is_narrow(ranges_.front().scales) || (!tighten && is_at_floor(ranges_.front())))) {
+    if (done && (is_narrow(ranges_.front().scales) || (!tighten && is_at_floor(ranges_.front(), measure)))) {
       break;
     }
     std::pop_heap(ranges_.begin(), ranges_.end(), is_less);
@@ -108,6 +105,17 @@ bool ScaleBranchAndBound::is_done(const Range& range, Measure measure, bool with
   return range.searched[m] && (!with_tightening || range.tightened[m]);
 }
 
+/// Whether no halving lowers the bound. L2: where all pairs of a clique share a scale, no part of
+/// the range around it has a smaller one.
+bool ScaleBranchAndBound::is_at_floor(const Range& range, Measure measure) const {
+  const problem::Objective& objective = search_.problem().objective();
+  const double floor = measure == Measure::Inliers
+                           ? static_cast<double>(range.clique.size())
+                           : objective.evidence_of(range.clique, range.scales.min);
+  return floor >= range.bounds.of(measure) &&
+         agree_at_one_scale(search_.problem().arrays(), range.clique, range.scales);
+}
+
 bool ScaleBranchAndBound::search_range(Range& range, Measure measure, const Tighten& tighten) {
   const RangeGraph graph = voted_.graph(search_, range.bin, range.scales);
   const bool is_bin = range.scales.min == voted_.bins()[range.bin].min &&
@@ -130,7 +138,7 @@ void ScaleBranchAndBound::search_inliers(Range& range, const RangeGraph& graph) 
   bool& searched = range.searched[static_cast<std::size_t>(Measure::Inliers)];
   const double to_beat = search_.to_beat(Measure::Inliers);
   if (!std::exchange(searched, true) && exceeds(range.bounds.inliers, to_beat)) {
-    const auto [clique, upper_bound, proven] = [&] {
+    auto [clique, upper_bound, proven] = [&] {
       const StageTimer timer(search_.run(), "clique");
       return search_.run().max_clique(graph.graph, static_cast<Index>(to_beat), kMaxNodes);
     }();
@@ -138,13 +146,7 @@ void ScaleBranchAndBound::search_inliers(Range& range, const RangeGraph& graph) 
     if (!proven) search_.note_early_end(Measure::Inliers, {Limit::CliqueSearch, kEndedEarly});
     range.bounds.inliers =
         std::min(range.bounds.inliers, proven && clique.empty() ? to_beat : upper_bound);
-    // L2: all pairs of the clique share a scale, so no part of the range around it has a smaller
-    // one
-    if (agree_at_one_scale(search_.problem().arrays(), clique, range.scales)) {
-      range.floors = {static_cast<double>(clique.size()), 0};
-      for (const Index i : clique)
-        range.floors.evidence += search_.problem().objective().weight(i, range.scales.min);
-    }
+    range.clique = std::move(clique);
   }
   // evidence is at most the number of inliers
   range.bounds.evidence = std::min(range.bounds.evidence, range.bounds.inliers);

@@ -33,9 +33,9 @@ class ScaleBranchAndBound {
     ScaleRange scales;
     Index bin = 0;  ///< that it is part of
     PerMeasure bounds;
-    PerMeasure floors = {};  ///< that no halving brings the bounds below
-    bool searched[2] = {};   ///< by cliques, for each measure
-    bool tightened[2] = {};  ///< for each measure
+    std::vector<Index> clique = {};  ///< of most inliers that its search met; empty: none
+    bool searched[2] = {};           ///< by cliques, for each measure
+    bool tightened[2] = {};          ///< for each measure
   };
 
   /// @return whether `tighten`, if any, goes on.
@@ -43,6 +43,7 @@ class ScaleBranchAndBound {
   void search_inliers(Range& range, const RangeGraph& graph);
   void search_evidence(Range& range, const RangeGraph& graph);
   bool is_done(const Range& range, Measure measure, bool with_tightening) const;
+  bool is_at_floor(const Range& range, Measure measure) const;
 
   PoseSearch& search_;
   VotedBins& voted_;
