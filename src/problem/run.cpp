@@ -71,8 +71,15 @@ void Run::limit(const LimitHit& hit) {
 }
 
 Run::Clique Run::max_clique(const BitsetGraph& graph, Index must_exceed, std::uint64_t max_nodes) {
+  Clique clique = find_max_clique(graph, must_exceed, max_nodes, options_.num_threads);
+  note(clique);
+  return clique;
+}
+
+Run::Clique Run::find_max_clique(const BitsetGraph& graph, Index must_exceed,
+                                 std::uint64_t max_nodes, int num_threads) const {
   // the graph itself may have been cut short, so that its bounds say nothing
-  if (stopped()) return {{}, static_cast<double>(graph.num_vertices()), false};
+  if (has_ended()) return {{}, static_cast<double>(graph.num_vertices()), false};
   CliqueOptions clique_options;
   clique_options.time_limit = deadline_.remaining();
   clique_options.stop = options_.stop;
@@ -80,19 +87,21 @@ Run::Clique Run::max_clique(const BitsetGraph& graph, Index must_exceed, std::ui
   // a proof is worth more work only where it is asked for
   if (!options_.certify) clique_options.max_work = work_to_find(graph);
   clique_options.must_exceed = must_exceed;
-  clique_options.num_threads = options_.num_threads;
+  clique_options.num_threads = num_threads;
   clique_options.max_memory = memory_left(graph, options_.memory_limit);
   CliqueResult found = options_.clique_solver ? options_.clique_solver->solve(graph, clique_options)
                                               : gmcr::max_clique(graph, clique_options);
-  diagnostics_.num_clique_nodes += found.nodes;
   const bool is_larger = static_cast<Index>(found.vertices.size()) > must_exceed;
-  return {is_larger ? std::move(found.vertices) : std::vector<Index>(),
-          static_cast<double>(found.upper_bound), found.proven_optimal};
+  if (!is_larger) found.vertices.clear();
+  const auto upper_bound =
+      static_cast<double>(found.proven_optimal && !is_larger ? must_exceed : found.upper_bound);
+  return {std::move(found.vertices), upper_bound, found.proven_optimal, found.nodes};
 }
 
-Run::Clique Run::max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
-                                   double must_exceed, std::uint64_t max_nodes) {
-  if (stopped()) {
+Run::Clique Run::find_max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                                        double must_exceed, std::uint64_t max_nodes,
+                                        int num_threads) const {
+  if (has_ended()) {
     return {{}, std::accumulate(weights.begin(), weights.end(), 0.0) * (1 + 1e-9), false};
   }
   WeightedCliqueOptions clique_options;
@@ -102,11 +111,17 @@ Run::Clique Run::max_weight_clique(const BitsetGraph& graph, std::span<const dou
   clique_options.max_work = options_.certify ? work_to_bound(graph) : work_to_find(graph);
   clique_options.max_memory = memory_left(graph, options_.memory_limit);
   clique_options.must_exceed = must_exceed;
-  clique_options.num_threads = options_.num_threads;
+  clique_options.num_threads = num_threads;
   WeightedCliqueResult found = gmcr::max_weight_clique(graph, weights, clique_options);
-  diagnostics_.num_clique_nodes += found.nodes;
-  return {found.weight > must_exceed ? std::move(found.vertices) : std::vector<Index>(),
-          found.upper_bound, found.proven_optimal};
+  const bool is_heavier = found.weight > must_exceed;
+  if (!is_heavier) found.vertices.clear();
+  const double upper_bound = found.proven_optimal && !is_heavier ? must_exceed : found.upper_bound;
+  return {std::move(found.vertices), upper_bound, found.proven_optimal, found.nodes};
+}
+
+void Run::note(const Clique& clique) {
+  diagnostics_.num_clique_nodes += clique.nodes;
+  if (!clique.proven) stopped();
 }
 
 Index Run::num_in_memory() const {

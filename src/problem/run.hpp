@@ -32,6 +32,9 @@ class Run {
   /// Whether the caller does not want to wait any more.
   bool cancelled() const { return cancelled_ || options_.stop.stop_requested(); }
 
+  /// The same as `stopped`, without a note.
+  bool has_ended() const { return cancelled() || deadline_.expired(); }
+
   /// Tells the caller how far a stage is; a caller may answer by stopping the solve.
   void report(const char* stage, double fraction);
 
@@ -41,16 +44,25 @@ class Run {
   /// What a clique search, by number or by weight, found and proved.
   struct Clique {
     std::vector<Index> vertices;  ///< empty: none exceeds what it must
-    double upper_bound = 0;
+    double upper_bound = 0;       ///< what it must exceed, where it is proven that none does
     bool proven = false;
+    std::uint64_t nodes = 0;
   };
 
   /// Maximum clique by the caller's solver or ours, within the time that is left.
   Clique max_clique(const BitsetGraph& graph, Index must_exceed, std::uint64_t max_nodes);
 
-  /// Clique of maximum weight, within the time that is left.
-  Clique max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
-                           double must_exceed, std::uint64_t max_nodes);
+  /// The same, untold to the diagnostics; by our solver several threads may search at once, each on
+  /// up to `num_threads`.
+  Clique find_max_clique(const BitsetGraph& graph, Index must_exceed, std::uint64_t max_nodes,
+                         int num_threads) const;
+
+  /// Clique of maximum weight, likewise.
+  Clique find_max_weight_clique(const BitsetGraph& graph, std::span<const double> weights,
+                                double must_exceed, std::uint64_t max_nodes, int num_threads) const;
+
+  /// Tells the diagnostics of a clique search, and of the limit of time that ended it.
+  void note(const Clique& clique);
 
   /// Vertices of the largest graph that the memory budget takes.
   Index num_in_memory() const;

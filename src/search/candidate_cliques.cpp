@@ -143,20 +143,22 @@ void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts)
   }
 }
 
-double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
-                     std::uint64_t max_nodes) {
+problem::Run::Clique find_clique(const PoseSearch& search, const RangeGraph& range, Measure measure,
+                                 std::uint64_t max_nodes, int num_threads) {
   // L5: every consensus set at a scale of the range is a clique of its graph
   const double to_beat = search.to_beat(measure);
-  const auto [vertices, upper_bound, proven] = [&] {
-    const StageTimer timer(search.run(), "clique");
-    return measure == Measure::Inliers
-               ? search.run().max_clique(range.graph, static_cast<Index>(to_beat), max_nodes)
-               : search.run().max_weight_clique(range.graph,
-                                                weights_of(search.problem(), measure, range.scales),
-                                                to_beat, max_nodes);
-  }();
-  if (!vertices.empty()) search.try_clique(vertices);
-  if (!proven) {
+  return measure == Measure::Inliers
+             ? search.run().find_max_clique(range.graph, static_cast<Index>(to_beat), max_nodes,
+                                            num_threads)
+             : search.run().find_max_weight_clique(
+                   range.graph, weights_of(search.problem(), measure, range.scales), to_beat,
+                   max_nodes, num_threads);
+}
+
+double take_clique(PoseSearch& search, Measure measure, const problem::Run::Clique& found) {
+  search.run().note(found);
+  if (!found.vertices.empty()) search.try_clique(found.vertices);
+  if (!found.proven) {
     search.note_early_end(
         measure,
         measure == Measure::Inliers
@@ -166,7 +168,16 @@ double search_clique(PoseSearch& search, const RangeGraph& range, Measure measur
                        "a search for the clique of most evidence ended before its proof: the bound "
                        "on the evidence may be loose"});
   }
-  return proven && vertices.empty() ? to_beat : upper_bound;
+  return found.upper_bound;
+}
+
+double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
+                     std::uint64_t max_nodes) {
+  const problem::Run::Clique found = [&] {
+    const StageTimer timer(search.run(), "clique");
+    return find_clique(search, range, measure, max_nodes, search.run().options().num_threads);
+  }();
+  return take_clique(search, measure, found);
 }
 
 }  // namespace gmcr::search

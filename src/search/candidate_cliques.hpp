@@ -29,10 +29,17 @@ RangeGraph build_range_graph(PoseSearch& search, const ScaleRange& scales);
 /// earlier one covers nor the best pose explains, where a clique could beat the best evidence.
 void grow_cliques(PoseSearch& search, const RangeGraph& range, Index max_starts);
 
-/// L5: searches the range's graph for a clique that measures more than what is to be beaten and
-/// tries it.
+/// L5: searches the range's graph for a clique that measures more than what is to be beaten. Where
+/// the solver is ours several threads may search at once, each on up to `num_threads`.
+problem::Run::Clique find_clique(const PoseSearch& search, const RangeGraph& range, Measure measure,
+                                 std::uint64_t max_nodes, int num_threads);
+
+/// Tries the clique that a search found, if any, and tells the diagnostics of the search.
 /// @return proven upper bound on the measure of poses in the range, or what is to be beaten where
 ///   none has more.
+double take_clique(PoseSearch& search, Measure measure, const problem::Run::Clique& found);
+
+/// Both of one range.
 double search_clique(PoseSearch& search, const RangeGraph& range, Measure measure,
                      std::uint64_t max_nodes);
 

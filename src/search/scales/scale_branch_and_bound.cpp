@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "parallel/parallel_for.hpp"
+
 namespace gmcr::search {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kMinRatio = 1.0001;         // a range as narrow as this is not
 constexpr std::uint64_t kMaxNodes = 20'000;  // clique search nodes a graph
 constexpr std::uint64_t kMaxWeightedNodes = 1'000;
 constexpr double kSimilar = 0.9;
-constexpr const char* kEndedEarly =
-    "a clique search ended before its proof: the upper bound may be loose";
 
 /// Ranges whose bound may exceed what is known after their search, before the search over the scale
 /// ends: any number where a proof is asked for; else some, and as many more as small graphs cost
@@ -24,6 +24,16 @@ Index max_open(const PoseSearch& search) {
   return search.problem().options().certify
              ? std::numeric_limits<Index>::max()
              : kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1));
+}
+
+/// Ranges that are searched side by side, at most: one after the other where the caller's solver or
+/// a proof wants the threads for itself, as does the graph of many correspondences.
+Index max_round(const PoseSearch& search) {
+  constexpr Index kMost = 8;
+  const Options& options = search.problem().options();
+  return options.certify || options.clique_solver || search.problem().size() > problem::kQuickGraph
+             ? 1
+             : kMost;
 }
 
 /// Whether all pairs of the correspondences agree at one scale of the range.
@@ -55,49 +65,80 @@ ScaleBranchAndBound::ScaleBranchAndBound(PoseSearch& search, VotedBins& voted)
 }
 
 double ScaleBranchAndBound::lower_upper_bound(Measure measure, const Tighten& tighten) {
-  const auto is_less = [&](const Range& a, const Range& b) {
-    const double bound_a = a.bounds.of(measure), bound_b = b.bounds.of(measure);
-    return bound_a != bound_b ? bound_a < bound_b : a.scales.min > b.scales.min;
-  };
   // as good as one scale: pairwise bounds tell no more
   const auto is_narrow = [](const ScaleRange& s) { return s.max / s.min < kMinRatio; };
   const Index max_graphs = 2 * voted_.bins().size();
-  Index num_open = 0;
+  Index num_graphs = 0, num_open = 0, round_size = 1;
   bool is_over = false;
-  std::make_heap(ranges_.begin(), ranges_.end(), is_less);
-  for (Index num_graphs = 0;
-       exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));) {
-    if (is_over) break;
+  const auto has_less = [&](const Range& a, const Range& b) { return is_less(a, b, measure); };
+  std::make_heap(ranges_.begin(), ranges_.end(), has_less);
+  while (!is_over && exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure))) {
     if (num_graphs == max_graphs || num_open == max_open(search_)) {
       search_.note_early_end(
           measure, {Limit::ScaleSearch, "the search over the scale ended before its proof"});
       break;
     }
     if (search_.run().stopped()) break;
-    const bool done = is_done(ranges_.front(), measure, tighten != nullptr);
-    if (done && (is_narrow(ranges_.front().scales) || (!tighten && is_at_floor(ranges_.front(), measure)))) {
-      break;
+    if (is_done(ranges_.front(), measure, tighten != nullptr)) {
+      const Range& front = ranges_.front();
+      if (is_narrow(front.scales) || (!tighten && is_at_floor(front, measure))) break;
+      halve_front(measure);
+      continue;
     }
-    std::pop_heap(ranges_.begin(), ranges_.end(), is_less);
-    Range& range = ranges_.back();
-    if (done) {
-      const ScaleRange scales = range.scales;
-      // two halves of equal ratio, with the bounds of the whole
-      const double middle = std::sqrt(scales.min) * std::sqrt(scales.max);
-      const Range upper{{middle, scales.max}, range.bin, range.bounds};
-      range = {{scales.min, middle}, range.bin, range.bounds};
-      std::push_heap(ranges_.begin(), ranges_.end(), is_less);
-      ranges_.push_back(upper);
-    } else {
-      is_over = !search_range(range, measure, tighten);
-      num_open += exceeds(range.bounds.of(measure), search_.to_beat(measure));
-      search_.run().report("scale_search",
-                           static_cast<double>(++num_graphs) / static_cast<double>(max_graphs));
+    const Index most =
+        std::min({round_size, max_graphs - num_graphs, max_open(search_) - num_open});
+    const double to_beat = search_.to_beat(measure);
+    const Round round = take_round(most, measure, tighten != nullptr);
+    is_over = !search_round(round, measure, tighten);
+    num_graphs += static_cast<Index>(round.size());
+    num_open += std::count_if(round.begin(), round.end(), [&](const Range& range) {
+      return exceeds(range.bounds.of(measure), search_.to_beat(measure));
+    });
+    // a pose that is better mostly closes the ranges that would come next
+    round_size =
+        search_.to_beat(measure) > to_beat ? 1 : std::min(2 * round_size, max_round(search_));
+    search_.run().report("scale_search",
+                         static_cast<double>(num_graphs) / static_cast<double>(max_graphs));
+    for (auto end = ranges_.end() - std::ssize(round); end != ranges_.end();) {
+      std::push_heap(ranges_.begin(), ++end, has_less);
     }
-    std::push_heap(ranges_.begin(), ranges_.end(), is_less);
   }
   // L5: the ranges cover all scales, so the largest of their bounds is one for all
   return std::max(ranges_.front().bounds.of(measure), search_.to_beat(measure));
+}
+
+bool ScaleBranchAndBound::is_less(const Range& a, const Range& b, Measure measure) {
+  const double bound_a = a.bounds.of(measure), bound_b = b.bounds.of(measure);
+  return bound_a != bound_b ? bound_a < bound_b : a.scales.min > b.scales.min;
+}
+
+/// Into two halves of equal ratio, with the bounds of the whole.
+void ScaleBranchAndBound::halve_front(Measure measure) {
+  const auto has_less = [&](const Range& a, const Range& b) { return is_less(a, b, measure); };
+  std::pop_heap(ranges_.begin(), ranges_.end(), has_less);
+  Range& whole = ranges_.back();
+  const ScaleRange scales = whole.scales;
+  const double middle = std::sqrt(scales.min) * std::sqrt(scales.max);
+  const Range upper{{middle, scales.max}, whole.bin, whole.bounds};
+  whole = {{scales.min, middle}, whole.bin, whole.bounds};
+  std::push_heap(ranges_.begin(), ranges_.end(), has_less);
+  ranges_.push_back(upper);
+  std::push_heap(ranges_.begin(), ranges_.end(), has_less);
+}
+
+ScaleBranchAndBound::Round ScaleBranchAndBound::take_round(Index most, Measure measure,
+                                                           bool with_tightening) {
+  auto begin = ranges_.end();
+  const auto is_wanted = [&] {
+    return begin != ranges_.begin() && ranges_.end() - begin < most &&
+           !is_done(ranges_.front(), measure, with_tightening) &&
+           exceeds(ranges_.front().bounds.of(measure), search_.to_beat(measure));
+  };
+  while (is_wanted()) {
+    std::pop_heap(ranges_.begin(), begin--,
+                  [&](const Range& a, const Range& b) { return is_less(a, b, measure); });
+  }
+  return {begin, ranges_.end()};
 }
 
 bool ScaleBranchAndBound::is_done(const Range& range, Measure measure, bool with_tightening) const {
@@ -116,48 +157,73 @@ bool ScaleBranchAndBound::is_at_floor(const Range& range, Measure measure) const
          agree_at_one_scale(search_.problem().arrays(), range.clique, range.scales);
 }
 
-bool ScaleBranchAndBound::search_range(Range& range, Measure measure, const Tighten& tighten) {
-  const RangeGraph graph = voted_.graph(search_, range.bin, range.scales);
-  const bool is_bin = range.scales.min == voted_.bins()[range.bin].min &&
-                      range.scales.max == voted_.bins()[range.bin].max;
-  // the number of inliers bounds the evidence, well where these are nearly the same
-  const bool bounds_well =
-      search_.to_beat(Measure::Evidence) > kSimilar * search_.to_beat(Measure::Inliers);
-  if (measure == Measure::Inliers || is_bin || bounds_well) search_inliers(range, graph);
-  if (measure == Measure::Evidence) search_evidence(range, graph);
-  if (!tighten) return true;
-  double& bound = range.bounds.of(measure);
-  const std::optional<double> tighter = tighten(graph, measure, bound);
-  if (!tighter) return false;
-  bound = *tighter;
-  range.tightened[static_cast<std::size_t>(measure)] = true;
+bool ScaleBranchAndBound::search_round(Round round, Measure measure, const Tighten& tighten) {
+  std::vector<RangeGraph> graphs;
+  for (const Range& range : round) {
+    graphs.push_back(voted_.graph(search_, range.bin, range.scales));
+  }
+  std::vector<Cliques> found(round.size());
+  {
+    const StageTimer timer(search_.run(), "clique");
+    const int num_threads = search_.run().options().num_threads;
+    parallel::parallel_for(std::ssize(round), 1, num_threads, [&](Index i, Index) {
+      const auto k = static_cast<std::size_t>(i);
+      found[k] = find_cliques(round[k], graphs[k], measure, round.size() > 1 ? 1 : num_threads);
+    });
+  }
+  for (std::size_t k = 0; k < round.size(); ++k) {
+    take_cliques(round[k], measure, std::move(found[k]));
+    if (!tighten) continue;
+    double& bound = round[k].bounds.of(measure);
+    const std::optional<double> tighter = tighten(graphs[k], measure, bound);
+    if (!tighter) return false;
+    bound = *tighter;
+    round[k].tightened[static_cast<std::size_t>(measure)] = true;
+  }
   return true;
 }
 
-void ScaleBranchAndBound::search_inliers(Range& range, const RangeGraph& graph) {
-  bool& searched = range.searched[static_cast<std::size_t>(Measure::Inliers)];
-  const double to_beat = search_.to_beat(Measure::Inliers);
-  if (!std::exchange(searched, true) && exceeds(range.bounds.inliers, to_beat)) {
-    auto [clique, upper_bound, proven] = [&] {
-      const StageTimer timer(search_.run(), "clique");
-      return search_.run().max_clique(graph.graph, static_cast<Index>(to_beat), kMaxNodes);
-    }();
-    if (!clique.empty()) search_.try_clique(clique);
-    if (!proven) search_.note_early_end(Measure::Inliers, {Limit::CliqueSearch, kEndedEarly});
-    range.bounds.inliers =
-        std::min(range.bounds.inliers, proven && clique.empty() ? to_beat : upper_bound);
-    range.clique = std::move(clique);
+ScaleBranchAndBound::Cliques ScaleBranchAndBound::find_cliques(const Range& range,
+                                                               const RangeGraph& graph,
+                                                               Measure measure,
+                                                               int num_threads) const {
+  Cliques found{asks_for_inliers(range, measure), {}, {}};
+  const auto is_wanted = [&](Measure m, double bound) {
+    return !range.searched[static_cast<std::size_t>(m)] && exceeds(bound, search_.to_beat(m));
+  };
+  double bound = range.bounds.of(measure);
+  if (found.asks_for_inliers && is_wanted(Measure::Inliers, range.bounds.inliers)) {
+    found.inliers = find_clique(search_, graph, Measure::Inliers, kMaxNodes, num_threads);
+    bound = std::min(bound, found.inliers->upper_bound);
   }
-  // evidence is at most the number of inliers
-  range.bounds.evidence = std::min(range.bounds.evidence, range.bounds.inliers);
+  if (measure == Measure::Evidence && is_wanted(Measure::Evidence, bound)) {
+    found.evidence = find_clique(search_, graph, Measure::Evidence, kMaxWeightedNodes, num_threads);
+  }
+  return found;
 }
 
-void ScaleBranchAndBound::search_evidence(Range& range, const RangeGraph& graph) {
-  bool& searched = range.searched[static_cast<std::size_t>(Measure::Evidence)];
-  double& bound = range.bounds.evidence;
-  if (!std::exchange(searched, true) && exceeds(bound, search_.to_beat(Measure::Evidence))) {
-    bound = std::min(bound, search_clique(search_, graph, Measure::Evidence, kMaxWeightedNodes));
+/// Whether the number of inliers is searched: for itself, and where it bounds the evidence well,
+/// as these are nearly the same.
+bool ScaleBranchAndBound::asks_for_inliers(const Range& range, Measure measure) const {
+  const ScaleRange bin = voted_.bins()[range.bin];
+  const bool is_bin = range.scales.min == bin.min && range.scales.max == bin.max;
+  return measure == Measure::Inliers || is_bin ||
+         search_.to_beat(Measure::Evidence) > kSimilar * search_.to_beat(Measure::Inliers);
+}
+
+void ScaleBranchAndBound::take_cliques(Range& range, Measure measure, Cliques found) {
+  const auto take = [&](Measure m, const std::optional<problem::Run::Clique>& clique) {
+    range.searched[static_cast<std::size_t>(m)] = true;
+    double& bound = range.bounds.of(m);
+    if (clique) bound = std::min(bound, take_clique(search_, m, *clique));
+  };
+  if (found.asks_for_inliers) {
+    take(Measure::Inliers, found.inliers);
+    // evidence is at most the number of inliers
+    range.bounds.evidence = std::min(range.bounds.evidence, range.bounds.inliers);
+    if (found.inliers) range.clique = std::move(found.inliers->vertices);
   }
+  if (measure == Measure::Evidence) take(Measure::Evidence, found.evidence);
 }
 
 }  // namespace gmcr::search

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "search/scales/voted_bins.hpp"
@@ -38,10 +39,27 @@ class ScaleBranchAndBound {
     bool tightened[2] = {};          ///< for each measure
   };
 
+  /// What the clique searches of a range found, where they were needed.
+  struct Cliques {
+    bool asks_for_inliers = false;
+    std::optional<problem::Run::Clique> inliers, evidence;
+  };
+
+  /// Ranges that are searched side by side, each for more than what was to be beaten before.
+  using Round = std::span<Range>;
+
+  static bool is_less(const Range& a, const Range& b, Measure measure);
+  void halve_front(Measure measure);
+
+  /// Takes the ranges of largest bound off the heap, to its end.
+  Round take_round(Index most, Measure measure, bool with_tightening);
+
   /// @return whether `tighten`, if any, goes on.
-  bool search_range(Range& range, Measure measure, const Tighten& tighten);
-  void search_inliers(Range& range, const RangeGraph& graph);
-  void search_evidence(Range& range, const RangeGraph& graph);
+  bool search_round(Round round, Measure measure, const Tighten& tighten);
+  Cliques find_cliques(const Range& range, const RangeGraph& graph, Measure measure,
+                       int num_threads) const;
+  void take_cliques(Range& range, Measure measure, Cliques found);
+  bool asks_for_inliers(const Range& range, Measure measure) const;
   bool is_done(const Range& range, Measure measure, bool with_tightening) const;
   bool is_at_floor(const Range& range, Measure measure) const;
 
