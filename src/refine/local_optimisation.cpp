@@ -82,16 +82,10 @@ class MinimaxClimb {
   Index equalise(int max_iterations) {
     auto least_missing = static_cast<Index>(indices_.size());
     for (int iteration = 0; iteration < max_iterations && fit_.step(); ++iteration) {
-      double held = 0;
-      Index missing = 0;
-      for (std::size_t k = 0; k < indices_.size(); ++k) {
-        if (fit_.residuals()[static_cast<Index>(k)] <= 1) {
-          held += objective_.weight(indices_[k], fit_.pose().scale);
-        } else {
-          ++missing;
-        }
-      }
-      if (problem::exceeds(held, best_.evidence)) {
+      const auto holds = fit_.residuals() <= 1;
+      const Index missing = fit_.residuals().size() - holds.count();
+      weigh(fit_.pose().scale);
+      if (problem::exceeds(holds.select(weights_, 0).sum(), best_.evidence)) {
         problem::Hypothesis next = objective_.judge({fit_.pose()});
         if (problem::is_better(next, best_)) best_ = std::move(next);
       }
@@ -110,8 +104,17 @@ class MinimaxClimb {
   }
 
  private:
+  /// What each gives at a scale; the same at every scale but where copies are told by it.
+  void weigh(double scale) {
+    if (weights_.size() == std::ssize(indices_) && !objective_.weights_depend_on_scale()) return;
+    weights_.resize(std::ssize(indices_));
+    std::transform(indices_.begin(), indices_.end(), weights_.begin(),
+                   [&](Index i) { return objective_.weight(i, scale); });
+  }
+
   const problem::Objective& objective_;
   std::vector<Index> indices_;
+  Eigen::ArrayXd weights_;
   problem::Hypothesis best_;
   estimation::MinimaxFit fit_;
 };

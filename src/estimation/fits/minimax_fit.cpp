@@ -9,26 +9,27 @@
 
 namespace gmcr::estimation {
 
-MinimaxFit::MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
-                       PoseConstraints constraints)
+MinimaxFit::MinimaxFit(const PointsRef& source, const PointsRef& target,
+                       const Eigen::ArrayXd& bounds, PoseConstraints constraints)
     : source_(source.transpose()),
       target_(target.transpose()),
-      bounds_(std::move(bounds)),
+      inverse_squared_bounds_(bounds.square().inverse()),
       constraints_(std::move(constraints)),
       weights_(Eigen::ArrayXd::Ones(source_.rows())) {}
 
 bool MinimaxFit::step() {
   if (source_.rows() < min_correspondences(constraints_)) return false;
-  moments_ = measure_moments(source_, target_, weights_ / bounds_.square());
+  moments_ = measure_moments(source_, target_, weights_ * inverse_squared_bounds_);
   const auto fit = fit_pose(moments_, constraints_);
   if (!fit) return false;
   pose_ = *fit;
-  residuals_ = kernels::squared_residuals(pose_, source_, target_).sqrt() / bounds_;
+  residuals_ = kernels::squared_residuals(pose_, source_, target_) * inverse_squared_bounds_;
   sum_of_weights_ = weights_.sum();
-  mean_square_ = (weights_ * residuals_.square()).sum() / sum_of_weights_;
+  mean_square_ = (weights_ * residuals_).sum() / sum_of_weights_;
+  residuals_ = residuals_.sqrt();
   // a floor, so that a point that fits well now can come back
   weights_ *= residuals_.max(1e-3);
-  weights_ = (weights_ / weights_.maxCoeff()).max(1e-12);
+  weights_ = (weights_ * (1 / weights_.maxCoeff())).max(1e-12);
   return true;
 }
 
@@ -41,7 +42,7 @@ void MinimaxFit::leave_out(Index k) {
     close_up(source_.col(axis));
     close_up(target_.col(axis));
   }
-  for (Eigen::ArrayXd* values : {&bounds_, &weights_, &residuals_}) {
+  for (Eigen::ArrayXd* values : {&inverse_squared_bounds_, &weights_, &residuals_}) {
     if (values->size() == 0) continue;
     close_up(*values);
     values->conservativeResize(k + behind);

@@ -19,7 +19,7 @@ namespace gmcr::estimation {
 class MinimaxFit {
  public:
   /// @param source, target  3 x M, metres.  @param bounds  M bounds eps_i, metres, > 0.
-  MinimaxFit(const PointsRef& source, const PointsRef& target, Eigen::ArrayXd bounds,
+  MinimaxFit(const PointsRef& source, const PointsRef& target, const Eigen::ArrayXd& bounds,
              PoseConstraints constraints);
 
   /// One more fit. @return false where there is none: of too few points. Cost O(M).
@@ -40,7 +40,7 @@ class MinimaxFit {
 
  private:
   Eigen::MatrixX3d source_, target_;
-  Eigen::ArrayXd bounds_;
+  Eigen::ArrayXd inverse_squared_bounds_;
   PoseConstraints constraints_;
   Similarity pose_;
   Moments moments_;  // of the last fit
