@@ -29,7 +29,7 @@ bool MinimaxFit::step() {
   residuals_ = residuals_.sqrt();
   // a floor, so that a point that fits well now can come back
   weights_ *= residuals_.max(1e-3);
-  weights_ = (weights_ * (1 / weights_.maxCoeff())).max(1e-12);
+  weights_ = (weights_ / weights_.maxCoeff()).max(1e-12);
   return true;
 }
 
