@@ -16,7 +16,7 @@ constexpr std::size_t kFew = 10;  // values that tell a share
 // Pairs that are looked at: enough for a share of 1 in 50, and more where that costs little.
 constexpr Index kLeastSample = 500;
 constexpr Index kMostSample = 10'000;
-constexpr Index kSampleShare = 1;  // of each correspondence
+constexpr Index kCorrespondencesAPair = 2;
 constexpr std::size_t kPerLength = 4;
 
 /// Two different numbers below a count.
@@ -89,7 +89,7 @@ double share_within(std::vector<double>& values, double radius) {
 Chance measure_chance(const problem::CallerCorrespondences& all, const problem::CallerPose& pose) {
   const Index n = all.size();
   if (n < 2) return {};
-  const Index count = std::clamp(kSampleShare * n, kLeastSample, kMostSample);
+  const Index count = std::clamp(n / kCorrespondencesAPair, kLeastSample, kMostSample);
   const Similarity& transform = pose.similarity;
   const Eigen::Matrix3d linear = transform.scale * transform.rotation;
   std::vector<double> distances(static_cast<std::size_t>(count)), lengths;

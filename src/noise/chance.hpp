@@ -33,7 +33,7 @@ struct Chance {
 
 /// Measures both on a selection of pairs of correspondences, which depends on their order and
 /// number only. Targets that come in clusters, on lines or on planes are so by chance too.
-/// Cost O(min(N, 10,000)).
+/// Cost O(min(N, 20,000)).
 Chance measure_chance(const problem::CallerCorrespondences& all, const problem::CallerPose& pose);
 
 /// log10 of the expected number of consensus sets of at least k among n random correspondences:

@@ -38,7 +38,7 @@ TEST(ShareWithin, OfNothingIsAll) {
 
 TEST(MeasureChance, IsTheShareOfTheBallInTheCube) {
   testing::RandomGeometry random(1);
-  const Points source = random.in_cube(4000), target = random.in_cube(4000);
+  const Points source = random.in_cube(20'000), target = random.in_cube(20'000);
   const Chance chance = measure_chance(matches(source, target, 0.1), {Similarity{}});
   // a ball of radius 0.1, less what is outside of the cube
   const double ball = 4 * std::numbers::pi / 3 * 1e-3;

@@ -146,11 +146,17 @@ void judge(Result& result, const Problem& problem, problem::Run& run) {
   const Odds odds(problem, result);
   const auto num_inliers = static_cast<Index>(result.inliers.size());
   result.log10_false_alarms = odds.log10_false_alarms(num_inliers);
-  const Index reflected = reflected_inliers(problem.input(), {result.target_from_source},
-                                            result.inliers, problem.scales());
+  const auto is_more = [&](Index held) {
+    return static_cast<double>(held) > kReflected * static_cast<double>(num_inliers);
+  };
+  // none holds more than all
+  const Index reflected =
+      is_more(problem.input().size())
+          ? reflected_inliers(problem.input(), {result.target_from_source}, result.inliers,
+                              problem.scales())
+          : 0;
   const bool is_reflected =
-      static_cast<double>(reflected) > kReflected * static_cast<double>(num_inliers) &&
-      odds.log10_false_alarms(reflected) <= kTrustedLog10;
+      is_more(reflected) && odds.log10_false_alarms(reflected) <= kTrustedLog10;
   result.verdict = Verdict::Untrusted;
   if (is_reflected) {
     result.verdict_reason = "a reflection holds " + std::to_string(reflected) +
