@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "frontend/cloud_pair.hpp"
-#include "frontend/points/extent.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -69,13 +68,13 @@ struct Side {
 void add_notes_on(CloudResult& result, const Side& side, bool is_automatic) {
   std::vector<std::string>& notes = result.notes;
   const DistinctCloud& distinct = side.distinct;
-  if (distinct.kept) {
+  if (distinct.num_copies > 0) {
     const Eigen::Vector3d& p = distinct.point;
-    notes.push_back(sentence(distinct.num_copies + 1, " of the ", side.points.cols(),
-                             " points of the ", side.name, " are (", p.x(), ", ", p.y(), ", ",
-                             p.z(), "), which counts once"));
+    notes.push_back(sentence(distinct.num_copies + 1, " of the ",
+                             side.points.cols() + distinct.num_copies, " points of the ", side.name,
+                             " are (", p.x(), ", ", p.y(), ", ", p.z(), "), which counts once"));
   }
-  const double step = smallest_step(distinct.kept ? PointsRef(*distinct.kept) : side.points);
+  const double step = smallest_step(side.points);
   if (side.voxel_size > 0 && step > kCoarseStep * side.voxel_size) {
     notes.push_back(sentence("coordinates of the ", side.name, " come in steps of ", step,
                              ", coarse for voxels of ", side.voxel_size,
@@ -119,21 +118,22 @@ DistinctCloud without_repeats(const PointsRef& points) {
   return cloud;
 }
 
-void add_notes(CloudResult& result, const PointsRef& source, const PointsRef& target,
+void add_notes(CloudResult& result, CloudScales& source, CloudScales& target,
                const DistinctCloud& from, const DistinctCloud& to, const FrontendOptions& frontend,
                const Options& options) {
-  if (source.cols() == 0 || target.cols() == 0) return;
+  if (source.points().cols() == 0 || target.points().cols() == 0) return;
   const bool is_automatic = frontend.orientation == NormalOrientation::Automatic;
   const CloudMatches& matches = result.matches;
-  add_notes_on(result,
-               {"source", source, from, frontend.source_viewpoint, matches.source_voxel_size},
-               is_automatic);
-  add_notes_on(result, {"target", target, to, frontend.target_viewpoint, matches.target_voxel_size},
-               is_automatic);
+  add_notes_on(
+      result,
+      {"source", source.points(), from, frontend.source_viewpoint, matches.source_voxel_size},
+      is_automatic);
+  add_notes_on(
+      result, {"target", target.points(), to, frontend.target_viewpoint, matches.target_voxel_size},
+      is_automatic);
   if (options.scale_mode == ScaleMode::Known) {
-    const double source_extent =
-        options.scale * robust_extent(from.kept ? PointsRef(*from.kept) : source);
-    const double target_extent = robust_extent(to.kept ? PointsRef(*to.kept) : target);
+    const double source_extent = options.scale * source.extent();
+    const double target_extent = target.extent();
     const double ratio =
         std::max(source_extent, target_extent) / std::min(source_extent, target_extent);
     if (ratio > kLeastUnits && ratio < kMostUnits) {

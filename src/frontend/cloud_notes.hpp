@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/features/cloud_scales.hpp"
 #include "gmcr/frontend.hpp"
 
 namespace gmcr::frontend {
@@ -21,8 +22,9 @@ DistinctCloud without_repeats(const PointsRef& points);
 
 /// Adds what is odd about two clouds to the notes of their result, a sentence each. A pose of
 /// coordinates in coarse steps is doubtful at best.
-/// @param from, to  `without_repeats` of source and target.
-void add_notes(CloudResult& result, const PointsRef& source, const PointsRef& target,
+/// @param source, target  without repeats.
+/// @param from, to        what `without_repeats` left out of them.
+void add_notes(CloudResult& result, CloudScales& source, CloudScales& target,
                const DistinctCloud& from, const DistinctCloud& to, const FrontendOptions& frontend,
                const Options& options);
 

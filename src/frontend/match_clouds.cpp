@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "frontend/matching/feature_matching.hpp"
 #include "gmcr/registration.hpp"
 #include "parallel/deadline.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr {
 namespace {
@@ -33,7 +35,11 @@ VoxelSizes choose_voxel_sizes(frontend::CloudScales& source, frontend::CloudScal
   }
   if (sizes.target == 0 && sizes.source > 0) sizes.target = sizes.source * options.scale;
   if (sizes.target == 0) {
-    sizes.target = std::min(source.voxel_size() * options.scale, target.voxel_size());
+    double from = 0, to = 0;
+    parallel::call_both(
+        options.num_threads, [&] { from = source.voxel_size(); },
+        [&] { to = target.voxel_size(); });
+    sizes.target = std::min(from * options.scale, to);
   }
   if (sizes.source == 0) sizes.source = sizes.target / options.scale;
   return sizes;
@@ -125,10 +131,22 @@ CloudMatches frontend::match_with(CloudScales& source, CloudScales& target,
     scaled.feature_radius *= factor;
     scaled.normal_radius =
         std::min(setting.normal_factor * frontend.normal_radius, frontend.feature_radius);
-    const DescribedCloud from = described(source, setting.source_side, matches.source_voxel_size,
-                                          scaled, scaled.source_viewpoint, options, clock);
-    const DescribedCloud to = described(target, setting.target_side, matches.target_voxel_size,
-                                        scaled, scaled.target_viewpoint, options, clock);
+    std::optional<DescribedCloud> from_cloud, to_cloud;
+    std::vector<StageTime> from_stages, to_stages;
+    parallel::call_both(
+        options.num_threads,
+        [&] {
+          frontend::StageClock own(from_stages);
+          from_cloud.emplace(described(source, setting.source_side, matches.source_voxel_size,
+                                       scaled, scaled.source_viewpoint, options, own));
+        },
+        [&] {
+          frontend::StageClock own(to_stages);
+          to_cloud.emplace(described(target, setting.target_side, matches.target_voxel_size, scaled,
+                                     scaled.target_viewpoint, options, own));
+        });
+    clock.lap({from_stages, to_stages});
+    const DescribedCloud &from = *from_cloud, &to = *to_cloud;
     if (pairs.empty()) {
       matches.source_voxels = from.surface.voxels;
       matches.target_voxels = to.surface.voxels;

@@ -140,7 +140,8 @@ CloudResult register_clouds(const PreparedCloud& source, const PreparedCloud& ta
   frontend::refuse_noise_bounds(options);
   CloudResult result =
       frontend::register_scales(source.state_->scales, target.state_->scales, frontend, options);
-  frontend::add_notes(result, source.points(), target.points(), {}, {}, frontend, options);
+  frontend::add_notes(result, source.state_->scales, target.state_->scales, {}, {}, frontend,
+                      options);
   return result;
 }
 

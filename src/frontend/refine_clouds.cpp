@@ -11,6 +11,7 @@
 #include "frontend/judgement/hypotheses.hpp"
 #include "frontend/judgement/judged_pose.hpp"
 #include "gmcr/metrics.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr {
 namespace frontend {
@@ -57,7 +58,11 @@ CloudResult settle(CloudResult result, const PointsRef& source, const PointsRef&
   } else if (!deadline.expired()) {
     const double cell = kCell * result.voxels.target_voxel_size;
     const double source_cell = kCell * result.voxels.source_voxel_size;
-    CentredPair pair(voxel_grid(source, source_cell), voxel_grid(target, cell), source_cell, cell);
+    Points from, to;
+    parallel::call_both(
+        options.num_threads, [&] { from = voxel_grid(source, source_cell); },
+        [&] { to = voxel_grid(target, cell); });
+    CentredPair pair(from, to, source_cell, cell, options.num_threads);
     const RefinedPose refined =
         refine_pose(pair, result.registration.target_from_source,
                     {cell, kSettleReach, kSettleSamples, kSettleStep}, options, deadline);
@@ -86,7 +91,7 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     result.refinement.note = "no pose to refine";
     return result;
   }
-  const auto voxels = frontend::centred_pair(result.voxels);
+  const auto voxels = frontend::centred_pair(result.voxels, options.num_threads);
   frontend::Hypotheses hypotheses(voxels, result.voxels.target_voxel_size, options, deadline);
   const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);
   result.rivals = hypotheses.rivals_of(candidate);

@@ -9,6 +9,7 @@
 #include "frontend/judgement/verdict.hpp"
 #include "frontend/mirrored.hpp"
 #include "parallel/deadline.hpp"
+#include "parallel/parallel_for.hpp"
 #include "parallel/stopwatch.hpp"
 
 namespace gmcr {
@@ -109,15 +110,17 @@ CloudResult register_clouds(const PointsRef& source, const PointsRef& target,
                             const FrontendOptions& frontend, const Options& options) {
   frontend::validate_pair(source, target, frontend, options);
   frontend::refuse_noise_bounds(options);
-  const frontend::DistinctCloud from = frontend::without_repeats(source);
-  const frontend::DistinctCloud to = frontend::without_repeats(target);
+  frontend::DistinctCloud from, to;
+  parallel::call_both(
+      options.num_threads, [&] { from = frontend::without_repeats(source); },
+      [&] { to = frontend::without_repeats(target); });
   const PointsRef source_kept = from.kept ? PointsRef(*from.kept) : source;
   const PointsRef target_kept = to.kept ? PointsRef(*to.kept) : target;
   frontend::CloudScales source_scales(source_kept), target_scales(target_kept);
   CloudResult result = frontend::register_scales(source_scales, target_scales, frontend, options);
   result.num_source_points = source.cols();
   result.num_target_points = target.cols();
-  frontend::add_notes(result, source, target, from, to, frontend, options);
+  frontend::add_notes(result, source_scales, target_scales, from, to, frontend, options);
   return result;
 }
 

@@ -26,4 +26,10 @@ inline int threads_for_pairs(Index count, int num_threads) {
 void parallel_for(Index count, Index grain, int num_threads,
                   const std::function<void(Index begin, Index end)>& body);
 
+/// Calls both, at once where there are threads; each may have loops of its own.
+inline void call_both(int num_threads, const std::function<void()>& first,
+                      const std::function<void()>& second) {
+  parallel_for(2, 1, num_threads, [&](Index k, Index) { (k == 0 ? first : second)(); });
+}
+
 }  // namespace gmcr::parallel

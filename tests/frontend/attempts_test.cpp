@@ -120,7 +120,7 @@ TEST(RegisterClouds, NamesTheSymmetryOfAnObject) {
 
 TEST(SurfaceJudge, KnowsASymmetryFromAnotherPose) {
   const Points points = voxel_grid(ellipsoid(8000, 1), 0.06);
-  const auto pair = std::make_shared<CentredPair>(points, points, 0.06, 0.06);
+  const auto pair = std::make_shared<CentredPair>(points, points, 0.06, 0.06, 2);
   const Options options;
   SurfaceJudge judge(pair, 0.06, options);
   const Similarity here = some_motion();

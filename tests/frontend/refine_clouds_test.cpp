@@ -38,7 +38,7 @@ Points with_noise(Points points, double sigma, unsigned seed) {
 RefinedPose refined(const PointsRef& source, const PointsRef& target, const Similarity& start,
                     const RefinementScale& scale, const Options& options,
                     const parallel::Deadline& deadline) {
-  CentredPair pair(source, target, scale.cell, scale.cell);
+  CentredPair pair(source, target, scale.cell, scale.cell, 1);
   return refine_pose(pair, start, scale, options, deadline);
 }
 

@@ -34,7 +34,7 @@ struct Aligned {
 
   Aligned(const PointsRef& source, const PointsRef& target, const Similarity& start,
           const Options& options = {})
-      : pair(voxel_grid(source, kCell), voxel_grid(target, kCell), kCell, kCell),
+      : pair(voxel_grid(source, kCell), voxel_grid(target, kCell), kCell, kCell, 1),
         refined(refine_pose(pair, start, kScale, options, parallel::Deadline::never())) {}
 
   std::optional<Covariance> covariance(const std::optional<Covariance>& of_matches = {},

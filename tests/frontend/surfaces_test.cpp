@@ -50,7 +50,7 @@ const std::array<Vector3d, 3> kOtherWall{Vector3d(0, 0, 0), Vector3d(0, 3, 0), V
 
 SurfaceFit fit_of(const std::vector<std::array<Vector3d, 3>>& sides, const Similarity& pose) {
   CentredPair pair(voxel_grid(rectangles(sides, 1), 0.1), voxel_grid(rectangles(sides, 2), 0.1),
-                   0.1, 0.1);
+                   0.1, 0.1, 2);
   return measure_surfaces(pair, pose, 0.1, 2500, 2);
 }
 
@@ -181,7 +181,7 @@ TEST(Verdict, AllowsForTheNoiseOfASensorWhereTheMirroredSourceIsWorse) {
 
 TEST(SurfaceJudge, TurnsThePoseByHalfAboutThreeAxes) {
   const Points points = voxel_grid(bumpy_sphere(5000, 1), 0.1);
-  const auto pair = std::make_shared<CentredPair>(points, some_motion().apply(points), 0.1, 0.1);
+  const auto pair = std::make_shared<CentredPair>(points, some_motion().apply(points), 0.1, 0.1, 2);
   const Options options;
   const SurfaceJudge judge(pair, 0.1, options);
   const auto turned = judge.half_turns(some_motion());
@@ -337,11 +337,12 @@ TEST(RegisterClouds, EndsWithTheTimeLimitWhereTheMatchingTakesLong) {
 
 TEST(CloudNotes, NameUnitsAndSteps) {
   const Points source = bumpy_sphere(5000, 1);
-  const auto noted = [&](const Points& a, const Points& b) {
+  const auto noted = [&](const PointsRef& a, const PointsRef& b) {
+    CloudScales from(a), to(b);
     CloudResult result;
     result.verdict = Verdict::Trusted;
     result.matches.source_voxel_size = result.matches.target_voxel_size = 0.03;
-    add_notes(result, a, b, {}, {}, {}, {});
+    add_notes(result, from, to, {}, {}, {}, {});
     return result;
   };
   EXPECT_TRUE(noted(source, source).notes.empty());

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "parallel/parallel_for.hpp"
+
 namespace gmcr::frontend {
 
 Eigen::Vector3d centroid(const PointsRef& points) {
@@ -12,11 +14,28 @@ Eigen::Vector3d centroid(const PointsRef& points) {
 }
 
 CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target_points,
-                         double source_spacing, double target_spacing)
-    : source_centre_(centroid(source_points)),
-      target_centre_(centroid(target_points)),
-      shared_target_(std::make_shared<SurfaceCloud>(target_points, target_centre_, target_spacing)),
-      source(source_points, source_centre_, source_spacing),
+                         double source_spacing, double target_spacing, int num_threads)
+    : CentredPair([&] {
+        Parts parts;
+        parallel::call_both(
+            num_threads,
+            [&] {
+              parts.source_centre = centroid(source_points);
+              parts.source.emplace(source_points, parts.source_centre, source_spacing);
+            },
+            [&] {
+              parts.target_centre = centroid(target_points);
+              parts.target = std::make_shared<SurfaceCloud>(target_points, parts.target_centre,
+                                                            target_spacing);
+            });
+        return parts;
+      }()) {}
+
+CentredPair::CentredPair(Parts parts)
+    : source_centre_(std::move(parts.source_centre)),
+      target_centre_(std::move(parts.target_centre)),
+      shared_target_(std::move(parts.target)),
+      source(std::move(*parts.source)),
       target(*shared_target_) {}
 
 CentredPair::CentredPair(const PointsRef& source_points, double source_spacing,

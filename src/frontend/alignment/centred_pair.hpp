@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "frontend/alignment/surface_cloud.hpp"
 #include "gmcr/similarity.hpp"
@@ -15,7 +16,7 @@ class CentredPair {
   /// @param source_spacing, target_spacing  metres, each in its own frame, > 0: of the points,
   /// about.
   CentredPair(const PointsRef& source, const PointsRef& target, double source_spacing,
-              double target_spacing);
+              double target_spacing, int num_threads);
 
   /// The same with a target that other pairs have too.
   /// @param target         about its centre, with the normals of all its points.
@@ -31,6 +32,13 @@ class CentredPair {
   const Eigen::Vector3d& source_centre() const { return source_centre_; }
 
  private:
+  struct Parts {
+    Eigen::Vector3d source_centre, target_centre;
+    std::optional<SurfaceCloud> source;
+    std::shared_ptr<SurfaceCloud> target;
+  };
+  explicit CentredPair(Parts parts);
+
   Eigen::Vector3d source_centre_;  ///< metres, the caller's frame
   Eigen::Vector3d target_centre_;
   std::shared_ptr<SurfaceCloud> shared_target_;

@@ -14,10 +14,20 @@ constexpr double kVoxelShare = 0.015;
 
 }  // namespace
 
+double CloudScales::known_extent() {
+  if (!extent_) extent_ = points_.cols() > 0 ? robust_extent(points_) : 0;
+  return *extent_;
+}
+
+double CloudScales::extent() {
+  const std::scoped_lock lock(mutex_);
+  return known_extent();
+}
+
 double CloudScales::voxel_size() {
   const std::scoped_lock lock(mutex_);
   if (!voxel_size_) {
-    const double extent = points_.cols() > 0 ? robust_extent(points_) : 0;
+    const double extent = known_extent();
     voxel_size_ = extent > 0 ? kVoxelShare * extent : 1;
   }
   return *voxel_size_;

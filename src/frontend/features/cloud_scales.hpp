@@ -31,6 +31,9 @@ class CloudScales {
 
   const PointsRef& points() const { return points_; }
 
+  /// Size of the cloud, metres (`robust_extent`); 0 where it has no points.
+  double extent();
+
   /// The voxel size of this cloud by itself, metres: the one that was set, or a share of the
   /// extent; 1 where it has no extent, and any size serves.
   double voxel_size();
@@ -63,11 +66,12 @@ class CloudScales {
     std::list<Described> described;
   };
 
+  double known_extent();
   Scale* find(double voxel_size, double normal_radius, double feature_radius);
 
   const PointsRef& points_;
   mutable std::mutex mutex_;
-  std::optional<double> voxel_size_;
+  std::optional<double> extent_, voxel_size_;
   std::list<Scale> scales_;
 };
 

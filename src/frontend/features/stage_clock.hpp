@@ -1,6 +1,9 @@
 #pragma once
 
+#include <initializer_list>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gmcr/options.hpp"
@@ -32,13 +35,28 @@ class StageClock {
   explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
 
   /// Books the time since the last lap on the stage `name`.
-  void lap(const char* name) {
-    const double now = watch_.elapsed();
-    add_stage(stages_, name, now - last_);
-    last_ = now;
+  void lap(const char* name) { add_stage(stages_, name, since_last()); }
+
+  /// Books it on stages that ran side by side, in proportion to the times that these took.
+  void lap(std::initializer_list<std::span<const StageTime>> side_by_side) {
+    const double elapsed = since_last();
+    double sum = 0;
+    for (const auto stages : side_by_side) {
+      for (const StageTime& stage : stages) sum += stage.seconds;
+    }
+    for (const auto stages : side_by_side) {
+      for (const StageTime& stage : stages) {
+        add_stage(stages_, stage.name, elapsed * stage.seconds / sum);
+      }
+    }
   }
 
  private:
+  double since_last() {
+    const double now = watch_.elapsed();
+    return now - std::exchange(last_, now);
+  }
+
   std::vector<StageTime>& stages_;
   parallel::Stopwatch watch_;
   double last_ = 0;

@@ -63,10 +63,10 @@ Options options_with_bound(const Options& options, const CloudMatches& matches) 
   return given;
 }
 
-std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels) {
+std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels, int num_threads) {
   if (voxels.source.cols() == 0 || voxels.target.cols() == 0) return nullptr;
   return std::make_shared<CentredPair>(voxels.source, voxels.target, voxels.source_voxel_size,
-                                       voxels.target_voxel_size);
+                                       voxels.target_voxel_size, num_threads);
 }
 
 double evidence_of(const CloudResult& result, const Candidate& candidate, const Options& options) {
@@ -90,7 +90,7 @@ CloudResult take(CloudResult result, const Candidate& candidate, CentredPair& vo
 
 CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
                       const Options& options) {
-  const auto voxels = frontend::centred_pair(result.voxels);
+  const auto voxels = frontend::centred_pair(result.voxels, options.num_threads);
   if (!voxels) throw std::invalid_argument("result: it has no clouds");
   const Similarity& own = result.registration.target_from_source;
   if (target_from_source.matrix() == own.matrix()) return result;

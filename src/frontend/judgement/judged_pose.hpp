@@ -11,7 +11,7 @@ namespace gmcr::frontend {
 Options options_with_bound(const Options& options, const CloudMatches& matches);
 
 /// The voxels in frames at their centroids; null where there are none of one cloud.
-std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels);
+std::shared_ptr<CentredPair> centred_pair(const JudgedVoxels& voxels, int num_threads);
 
 /// Measures how the voxel clouds meet under the pose of `result`, what the inliers are worth, and
 /// judges the pose by both.

@@ -112,7 +112,8 @@ std::vector<Similarity> poses_by_views(const ObjectAndView& clouds, const Option
   const double cell = kCoarse * clouds.voxel, scale = options.scale;
   const Points object = voxel_grid(clouds.object, cell / scale);
   const Points view = voxel_grid(clouds.view, cell);
-  const auto pair = std::make_shared<CentredPair>(object, view, cell / scale, cell);
+  const auto pair =
+      std::make_shared<CentredPair>(object, view, cell / scale, cell, options.num_threads);
   SurfaceJudge judge(pair, cell, options);
   std::vector<Candidate> found;
   for (const Similarity& start : starts_of(object, view, cell / scale, clouds.viewpoint, scale)) {

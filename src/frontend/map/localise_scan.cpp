@@ -185,7 +185,7 @@ void Localisation::answer(const frontend::PlacedScan& placed, frontend::StageClo
   }
   result_.voxels = {matches.source_voxels, matches.target_voxels, matches.source_voxel_size,
                     matches.target_voxel_size};
-  const auto voxels = frontend::centred_pair(result_.voxels);
+  const auto voxels = frontend::centred_pair(result_.voxels, options_.num_threads);
   frontend::match_by_pose(matches, *voxels, pose, options_.num_threads);
   result_.registration.status = Status::Ok;
   result_.rivals = placed.rivals;
