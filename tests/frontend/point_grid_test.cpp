@@ -67,18 +67,35 @@ std::vector<Index> points_of(const PointGrid& grid, std::span<const kernels::Poi
 }
 
 TEST(PointGrid, RunsHoldWhatIsWithinReach) {
-  Points points = random_points(500, 3);
-  points.col(9) = Eigen::Vector3d(1e12, 0, 0);
   const double reach = 0.15;
-  const PointGrid grid(points, reach);
-  const Points queries = random_points(300, 4);
-  for (Index q = 0; q < queries.cols(); ++q) {
-    const Eigen::Vector3d query = 1.2 * queries.col(q);  // some beyond the points
-    const std::vector<Index> in_runs = points_of(grid, grid.runs_about(query.data()));
-    EXPECT_EQ(std::adjacent_find(in_runs.begin(), in_runs.end()), in_runs.end());
-    for (Index i = 0; i < points.cols(); ++i) {
-      if ((points.col(i) - query).norm() > reach) continue;
-      EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));
+  for (const double far : {0.0, 1e12}) {  // with a stray point there are too many cells for a box
+    Points points = random_points(500, 3);
+    points.col(9) = Eigen::Vector3d(far, 0, 0);
+    const PointGrid grid(points, reach);
+    const Points queries = random_points(300, 4);
+    PointGrid::Runs room;
+    for (Index q = 0; q < queries.cols(); ++q) {
+      const Eigen::Vector3d query = 1.2 * queries.col(q);  // some beyond the points
+      const std::vector<Index> in_runs = points_of(grid, grid.runs_about(query.data(), room));
+      EXPECT_EQ(std::adjacent_find(in_runs.begin(), in_runs.end()), in_runs.end());
+      for (Index i = 0; i < points.cols(); ++i) {
+        if ((points.col(i) - query).norm() > reach) continue;
+        EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));
+      }
+    }
+  }
+}
+
+TEST(PointGrid, OfPositionsFarFromAllPointsHasNoRuns) {
+  const Points points = random_points(500, 3);
+  const PointGrid grid(points, 0.15);
+  PointGrid::Runs room;
+  for (const double far : {-1e3, -2.0, 2.0, 1e3, 1e300}) {
+    for (Index axis = 0; axis < 3; ++axis) {
+      Eigen::Vector3d query = points.col(0);
+      query[axis] = far;
+      EXPECT_TRUE(points_of(grid, grid.runs_about(query.data(), room)).empty());
+      EXPECT_TRUE(points_of(grid, grid.runs_within(query.data(), 0.15, room)).empty());
     }
   }
 }
@@ -97,7 +114,8 @@ TEST(PointGrid, RunsThatARadiusMeetsHoldWhatIsWithinIt) {
         PointGrid::Runs room;
         const auto within = grid.runs_within(query.data(), radius, room);
         const std::vector<Index> in_runs = points_of(grid, within);
-        num_left_out += points_of(grid, grid.runs_about(query.data())).size() - in_runs.size();
+        PointGrid::Runs all;
+        num_left_out += points_of(grid, grid.runs_about(query.data(), all)).size() - in_runs.size();
         for (Index i = 0; i < points.cols(); ++i) {
           if ((points.col(i) - query).norm() > radius) continue;
           EXPECT_TRUE(std::binary_search(in_runs.begin(), in_runs.end(), i));

@@ -10,7 +10,7 @@
 namespace gmcr::frontend {
 namespace {
 
-constexpr Index kPairGrain = 2048;  // fewer pairs take less time than to wake a thread
+constexpr Index kPairGrain = 512;  // fewer pairs take less time than to wake a thread
 
 /// 0 at 60 degrees between the normals and more, 1 where they are parallel, whatever their signs.
 double agreement_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

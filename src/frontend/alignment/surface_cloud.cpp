@@ -23,7 +23,7 @@ constexpr double kReach = 3.05;
 constexpr double kFirstShare = 0.67;
 
 /// Queries of a thread at a time: fewer take less time than to wake one.
-constexpr Index kNormalGrain = 1024;
+constexpr Index kNormalGrain = 256;
 /// How much farther each grid reaches than the one before, for points that have few nearby.
 constexpr double kFarther = 3;
 
@@ -70,7 +70,7 @@ void SurfaceCloud::require_normals(const std::vector<Index>& columns, int num_th
     if (level == grids_.size()) grids_.emplace_back(points_, kFarther * grids_.back().reach());
     std::vector<char> is_left(missing.size(), 0);
     parallel::parallel_for(
-        static_cast<Index>(missing.size()), 256, num_threads, [&](Index begin, Index end) {
+        static_cast<Index>(missing.size()), 64, num_threads, [&](Index begin, Index end) {
           Found found;
           for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
             const auto normal = estimate_normal(grids_[level], missing[k], found);

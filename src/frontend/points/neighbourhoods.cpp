@@ -15,8 +15,9 @@ Neighbourhoods find_neighbourhoods(const PointsRef& points, double radius, int n
     Neighbourhoods::Block& block = result.blocks_[static_cast<std::size_t>(begin / kBlock)];
     std::vector<std::int64_t> slots;
     std::vector<double> squared_distances;
+    PointGrid::Runs about;
     for (Index i = begin; i < end; ++i) {
-      const auto runs = grid.runs_about(points.col(i).data());
+      const auto runs = grid.runs_about(points.col(i).data(), about);
       const auto room =
           static_cast<std::size_t>(PointGrid::num_points(runs) + kernels::NearPoints::kSlack);
       if (room > slots.size()) {

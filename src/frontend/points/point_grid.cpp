@@ -23,12 +23,46 @@ std::int64_t number_of(double cell) {
 }  // namespace
 
 PointGrid::PointGrid(const PointsRef& points, double reach)
-    : reach_(reach), edge_(kMargin * reach), table_(64) {
+    : reach_(reach), edge_(kMargin * reach) {
   if (points.cols() == 0) return;
   origin_ = points.rowwise().minCoeff();
   CellOrder order = order_by_cell(points, origin_, edge_);
   sorted_.setZero(points.cols() + kernels::PointColumns::kPadding, 3);
   sorted_.topRows(points.cols()) = points(Eigen::all, order.points).transpose();
+  if (!number_box(order)) fill_table(order);
+  order_ = std::move(order.points);
+}
+
+/// @return false where it has too many cells.
+bool PointGrid::number_box(const CellOrder& order) {
+  constexpr double kMostCellsAPoint = 16;
+  const Eigen::Vector3d box = order.cells.rowwise().maxCoeff().array() + 1;
+  if (!(box.prod() <= kMostCellsAPoint * static_cast<double>(order.points.size()))) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    box_[axis] = number_of(box[static_cast<Index>(axis)]);
+  const auto num_cells = static_cast<std::size_t>(box_[0] * box_[1] * box_[2]);
+  first_.reserve(num_cells + 1);
+  for (Index k = 0; k < order.num_cells(); ++k) {
+    const auto [x, y, z] = std::array{number_of(order.cells(0, k)), number_of(order.cells(1, k)),
+                                      number_of(order.cells(2, k))};
+    const auto begin = static_cast<std::int32_t>(order.starts[static_cast<std::size_t>(k)]);
+    first_.resize(static_cast<std::size_t>((x * box_[1] + y) * box_[2] + z) + 1, begin);
+  }
+  first_.resize(num_cells + 1, static_cast<std::int32_t>(order.points.size()));
+  return true;
+}
+
+/// The points of the three cells at z - 1, z and z + 1 of a column.
+kernels::PointRun PointGrid::run_in_box(std::int64_t x, std::int64_t y, std::int64_t z) const {
+  const std::int64_t low = std::max<std::int64_t>(z - 1, 0), high = std::min(z + 2, box_[2]);
+  if (x < 0 || x >= box_[0] || y < 0 || y >= box_[1] || low >= high) return {};
+  const std::int64_t column = (x * box_[1] + y) * box_[2];
+  return {first_[static_cast<std::size_t>(column + low)],
+          first_[static_cast<std::size_t>(column + high)]};
+}
+
+void PointGrid::fill_table(const CellOrder& order) {
+  table_.resize(64);
   for (Index k = 0; k < order.num_cells(); ++k) {
     const auto begin = static_cast<std::int32_t>(order.starts[static_cast<std::size_t>(k)]);
     const auto end = static_cast<std::int32_t>(order.starts[static_cast<std::size_t>(k) + 1]);
@@ -47,7 +81,6 @@ PointGrid::PointGrid(const PointsRef& points, double reach)
       }
     }
   }
-  order_ = std::move(order.points);
 }
 
 PointGrid::Cell PointGrid::cell_at(const double* position) const {
@@ -94,15 +127,24 @@ void PointGrid::grow() {
   }
 }
 
-std::span<const kernels::PointRun> PointGrid::runs_about(const double* position) const {
-  const Entry& entry = table_[slot_of(cell_at(position))];
-  if (entry.runs < 0) return {};
-  return runs_[static_cast<std::size_t>(entry.runs)];
+std::span<const kernels::PointRun> PointGrid::runs_about(const double* position, Runs& room) const {
+  const Cell cell = cell_at(position);
+  if (first_.empty()) {
+    if (table_.empty()) return {};
+    const Entry& entry = table_[slot_of(cell)];
+    if (entry.runs < 0) return {};
+    return runs_[static_cast<std::size_t>(entry.runs)];
+  }
+  for (std::int64_t column = 0; column < 9; ++column) {
+    room[static_cast<std::size_t>(column)] =
+        run_in_box(cell[0] + column / 3 - 1, cell[1] + column % 3 - 1, cell[2]);
+  }
+  return room;
 }
 
 std::span<const kernels::PointRun> PointGrid::runs_within(const double* position, double radius,
                                                           Runs& room) const {
-  const std::span<const kernels::PointRun> about = runs_about(position);
+  const std::span<const kernels::PointRun> about = runs_about(position, room);
   // squared distances, in cells, to the columns before, at and after the own one, along x and y
   std::array<std::array<double, 3>, 2> gaps{};
   for (std::size_t axis = 0; axis < 2; ++axis) {

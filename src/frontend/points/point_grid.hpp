@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "frontend/points/cell_order.hpp"
 #include "gmcr/types.hpp"
 #include "kernels/points/near_points.hpp"
 
@@ -12,13 +13,14 @@ namespace gmcr::frontend {
 
 /// Points sorted into cubic cells, for searches within a radius about any position.
 ///
-/// Every cell next to an occupied one knows the runs of points about it, so a search looks up one
-/// cell and scans; no cell is kept for empty space.
+/// Where the cells of the bounding box are not many more than the points, each knows its first
+/// point. Else every cell next to an occupied one knows the runs of points about it, in a table
+/// that keeps no cell for empty space.
 class PointGrid {
  public:
   /// @param points  3 x N, finite, N < 2^31.
   /// @param reach   > 0: the largest radius that will be sought, the unit of the points.
-  /// Cost O(N + 27 times the occupied cells).
+  /// Cost O(N), and 27 times the occupied cells for a table.
   PointGrid(const PointsRef& points, double reach);
 
   double reach() const { return reach_; }
@@ -27,10 +29,10 @@ class PointGrid {
   using Runs = std::array<kernels::PointRun, 9>;
 
   /// Runs of slots with all points nearer than the reach to a position, and others; ascending.
-  std::span<const kernels::PointRun> runs_about(const double* position) const;
+  /// @param room  for the runs that are returned.
+  std::span<const kernels::PointRun> runs_about(const double* position, Runs& room) const;
 
   /// The same for a radius up to the reach: those of them that it meets.
-  /// @param room  for the runs that are returned.
   std::span<const kernels::PointRun> runs_within(const double* position, double radius,
                                                  Runs& room) const;
 
@@ -52,6 +54,9 @@ class PointGrid {
   };
 
   Cell cell_at(const double* position) const;
+  bool number_box(const CellOrder& order);
+  kernels::PointRun run_in_box(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  void fill_table(const CellOrder& order);
   std::size_t slot_of(const Cell& cell) const;
   Runs& runs_at(const Cell& cell);
   void grow();
@@ -60,7 +65,10 @@ class PointGrid {
   double edge_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::vector<Index> order_;
-  Eigen::MatrixX3d sorted_;   ///< coordinates by slot, and the padding that kernels read
+  Eigen::MatrixX3d sorted_;  ///< coordinates by slot, and the padding that kernels read
+  Cell box_{};               ///< cells along each axis
+  /// First slot in or after each cell of the box, x slowest; empty: there is a table.
+  std::vector<std::int32_t> first_;
   std::vector<Entry> table_;  ///< open addressing, a power of two
   std::vector<Runs> runs_;
 };
