@@ -9,7 +9,7 @@
 namespace gmcr::search {
 namespace {
 
-constexpr Index kMaxStarts = 64;
+constexpr Index kMaxStarts = 64, kMaxStartsOfAlternative = 16;
 constexpr std::uint64_t kMaxNodes = 2'000'000;
 constexpr std::uint64_t kMaxWeightedNodes = 300;
 
@@ -99,7 +99,9 @@ void BestPoseSearch::search_known_scale() {
   const RangeGraph& range = graph_.emplace(build_range_graph(poses_, poses_.problem().scales()));
   bounds_.inliers = search_clique(poses_, range, Measure::Inliers, kMaxNodes);
   // evidence is at most the number of inliers: where that is proven the best, so is the pose
-  if (bounds_.inliers > poses_.to_beat(Measure::Evidence)) grow_cliques(poses_, range, kMaxStarts);
+  if (bounds_.inliers > poses_.to_beat(Measure::Evidence)) {
+    grow_cliques(poses_, range, poses_.left_out().empty() ? kMaxStarts : kMaxStartsOfAlternative);
+  }
   if (!poses_.problem().objective().is_weighted()) return;
   bounds_.evidence =
       std::min(bounds_.inliers, search_clique(poses_, range, Measure::Evidence, kMaxWeightedNodes));
