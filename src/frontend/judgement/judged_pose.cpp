@@ -20,7 +20,7 @@ double distinct_evidence(const CloudMatches& matches, const Similarity& pose,
   return evaluate_consensus(pose, matches.source, matches.target, distinct).evidence;
 }
 
-/// How the voxels of the two clouds meet under the pose, both ways, and what the inliers are worth.
+/// How the voxels of the two clouds meet under the pose, both ways.
 void measure_fit(CloudResult& result, CentredPair& voxels, const Options& options) {
   const Similarity& pose = result.registration.target_from_source;
   const double radius = result.voxels.target_voxel_size;
@@ -33,7 +33,6 @@ void measure_fit(CloudResult& result, CentredPair& voxels, const Options& option
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
   result.surfaces = measure_surfaces(voxels, pose, radius, kSamples, options.num_threads);
-  result.distinct_evidence = distinct_evidence(result.matches, pose, options);
 }
 
 /// The result with another pose, judged on these voxels.
@@ -46,11 +45,15 @@ CloudResult repose(CloudResult result, const Similarity& target_from_source, Cen
   Uncertainty uncertainty = evaluate_uncertainty(target_from_source, result.matches.source,
                                                  result.matches.target, consensus.inliers, solver);
   registration.target_from_source = target_from_source;
+  result.distinct_evidence = options.evidence == Evidence::Distinct
+                                 ? consensus.evidence
+                                 : distinct_evidence(result.matches, target_from_source, options);
   registration.inliers = std::move(consensus.inliers);
   registration.evidence = consensus.evidence;
   registration.consistent_scales = uncertainty.consistent_scales;
   registration.covariance = std::move(uncertainty.covariance);
-  judge_pose(result, voxels, options);
+  measure_fit(result, voxels, options);
+  judge(result);
   return result;
 }
 
@@ -75,6 +78,8 @@ double evidence_of(const CloudResult& result, const Candidate& candidate, const 
 
 void judge_pose(CloudResult& result, CentredPair& voxels, const Options& options) {
   measure_fit(result, voxels, options);
+  result.distinct_evidence =
+      distinct_evidence(result.matches, result.registration.target_from_source, options);
   judge(result);
 }
 

@@ -32,16 +32,16 @@ Compacted keep_nonzero(const Features& features) {
   return kept;
 }
 
-IntegerFeatures as_integers(const Features& features, double resolution) {
-  return {features.data(), features.rows(), features.cols(), resolution};
-}
-
 /// The nearest of all, or of those that the priors admit; `kNoPartner` where they admit none.
 NearestBothWays nearest_of_all(const Compacted& from, const Compacted& to, double resolution,
                                const MatchingOptions& options) {
   const Features &source = from.features, &target = to.features;
-  const IntegerFeatures sources = as_integers(source, resolution);
-  const IntegerFeatures targets = as_integers(target, resolution);
+  std::optional<IntegerFeatures> source_integers, target_integers;
+  parallel::call_both(
+      options.num_threads,
+      [&] { source_integers.emplace(source.data(), source.rows(), source.cols(), resolution); },
+      [&] { target_integers.emplace(target.data(), target.rows(), target.cols(), resolution); });
+  const IntegerFeatures &sources = *source_integers, &targets = *target_integers;
   NearestBothWays nearest;
   nearest.of_source.resize(static_cast<std::size_t>(source.cols()));
 
@@ -102,8 +102,10 @@ bool is_clear(const NearestFeature& best, double squared_ratio) {
 
 FeatureMatches match_features(const Features& source, const Features& target,
                               const MatchingOptions& options) {
-  const Compacted sources = keep_nonzero(source);
-  const Compacted targets = keep_nonzero(target);
+  Compacted sources, targets;
+  parallel::call_both(
+      options.num_threads, [&] { sources = keep_nonzero(source); },
+      [&] { targets = keep_nonzero(target); });
   FeatureMatches matches;
   if (sources.columns.empty() || targets.columns.empty()) return matches;
   const NearestBothWays nearest = find_nearest(sources, targets, options);

@@ -14,8 +14,9 @@ IntegerFeatures::IntegerFeatures(const float* values, Index num_bins, Index coun
     std::int16_t* group = values_.data() + 2 * kGroup * num_pairs_ * (i / kGroup);
     std::int32_t squared_norm = 0;
     for (Index bin = 0; bin < num_bins; ++bin) {
-      const auto value = static_cast<std::int32_t>(
-          std::lround(resolution * static_cast<double>(values[num_bins * i + bin])));
+      // to the nearest whole number: of a single precision value the sum is exact
+      const double scaled = resolution * static_cast<double>(values[num_bins * i + bin]);
+      const auto value = static_cast<std::int32_t>(scaled + std::copysign(0.5, scaled));
       group[2 * (kGroup * (bin / 2) + i % kGroup) + bin % 2] = static_cast<std::int16_t>(value);
       squared_norm += value * value;
     }
