@@ -21,7 +21,8 @@ CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target
             num_threads,
             [&] {
               parts.source_centre = centroid(source_points);
-              parts.source.emplace(source_points, parts.source_centre, source_spacing);
+              parts.source = std::make_shared<SurfaceCloud>(source_points, parts.source_centre,
+                                                            source_spacing);
             },
             [&] {
               parts.target_centre = centroid(target_points);
@@ -34,17 +35,19 @@ CentredPair::CentredPair(const PointsRef& source_points, const PointsRef& target
 CentredPair::CentredPair(Parts parts)
     : source_centre_(std::move(parts.source_centre)),
       target_centre_(std::move(parts.target_centre)),
+      shared_source_(std::move(parts.source)),
       shared_target_(std::move(parts.target)),
-      source(std::move(*parts.source)),
+      source(*shared_source_),
       target(*shared_target_) {}
 
 CentredPair::CentredPair(const PointsRef& source_points, double source_spacing,
                          std::shared_ptr<SurfaceCloud> shared_target, Eigen::Vector3d target_centre)
-    : source_centre_(centroid(source_points)),
-      target_centre_(std::move(target_centre)),
-      shared_target_(std::move(shared_target)),
-      source(source_points, source_centre_, source_spacing),
-      target(*shared_target_) {}
+    : CentredPair([&] {
+        const Eigen::Vector3d centre = centroid(source_points);
+        return Parts{centre, std::move(target_centre),
+                     std::make_shared<SurfaceCloud>(source_points, centre, source_spacing),
+                     std::move(shared_target)};
+      }()) {}
 
 Similarity CentredPair::centred(const Similarity& target_from_source) const {
   Similarity pose = target_from_source;

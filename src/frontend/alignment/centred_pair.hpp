@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "frontend/alignment/surface_cloud.hpp"
 #include "gmcr/similarity.hpp"
@@ -34,17 +33,16 @@ class CentredPair {
  private:
   struct Parts {
     Eigen::Vector3d source_centre, target_centre;
-    std::optional<SurfaceCloud> source;
-    std::shared_ptr<SurfaceCloud> target;
+    std::shared_ptr<SurfaceCloud> source, target;
   };
   explicit CentredPair(Parts parts);
 
   Eigen::Vector3d source_centre_;  ///< metres, the caller's frame
   Eigen::Vector3d target_centre_;
-  std::shared_ptr<SurfaceCloud> shared_target_;
+  std::shared_ptr<SurfaceCloud> shared_source_, shared_target_;
 
  public:
-  SurfaceCloud source;
+  SurfaceCloud& source;
   SurfaceCloud& target;
 };
 

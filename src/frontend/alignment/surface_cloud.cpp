@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "geometry/plane_normal.hpp"
@@ -24,24 +25,35 @@ constexpr double kFirstShare = 0.67;
 
 /// Queries of a thread at a time: fewer take less time than to wake one.
 constexpr Index kNormalGrain = 256;
-/// How much farther each grid reaches than the one before, for points that have few nearby.
-constexpr double kFarther = 3;
+/// Powers of sqrt(3) by which each grid reaches farther than the one before, for points that have
+/// few nearby.
+constexpr int kFarther = 2;
 
 }  // namespace
 
 SurfaceCloud::SurfaceCloud(const PointsRef& points, const Eigen::Vector3d& centre, double spacing)
     : points_(points.colwise() - centre),
+      grid_(points_, kReach * spacing),
       normals_(Points::Zero(3, points.cols())),
-      is_known_(static_cast<std::size_t>(points.cols()), 0) {
-  grids_.emplace_back(points_, kReach * spacing);
+      is_known_(static_cast<std::size_t>(points.cols()), 0) {}
+
+const PointGrid& SurfaceCloud::wider(int k) {
+  if (k == 0) return grid_;
+  const auto known = wider_.find(k);
+  if (known != wider_.end()) return known->second;
+  double reach = grid_.reach();
+  for (int power = 0; power < k; ++power) reach *= std::numbers::sqrt3;
+  return wider_.try_emplace(k, points_, reach).first->second;
 }
 
 std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius, int num_threads) {
-  if (radius > grids_.front().reach()) {
-    grids_.clear();
-    grids_.emplace_back(points_, radius);
-  }
-  const PointGrid& grid = grids_.front();
+  const PointGrid& grid = [&]() -> const PointGrid& {
+    if (radius <= grid_.reach()) return grid_;
+    int power = 0;
+    for (double reach = grid_.reach(); reach < radius; ++power) reach *= std::numbers::sqrt3;
+    const std::scoped_lock lock(mutex_);
+    return wider(power);
+  }();
   const kernels::PointColumns columns = grid.columns();
   // a point at the radius itself is one
   const double squared_radius =
@@ -60,20 +72,21 @@ std::vector<Index> SurfaceCloud::nearest(const PointsRef& queries, double radius
 }
 
 void SurfaceCloud::require_normals(const std::vector<Index>& columns, int num_threads) {
+  const std::scoped_lock lock(mutex_);
   std::vector<Index> missing;
   for (const Index column : columns) {
     if (column < 0 || is_known_[static_cast<std::size_t>(column)]) continue;
     is_known_[static_cast<std::size_t>(column)] = 1;
     missing.push_back(column);
   }
-  for (std::size_t level = 0; !missing.empty(); ++level) {
-    if (level == grids_.size()) grids_.emplace_back(points_, kFarther * grids_.back().reach());
+  for (int power = 0; !missing.empty(); power += kFarther) {
+    const PointGrid& grid = wider(power);
     std::vector<char> is_left(missing.size(), 0);
     parallel::parallel_for(
         static_cast<Index>(missing.size()), 64, num_threads, [&](Index begin, Index end) {
           Found found;
           for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-            const auto normal = estimate_normal(grids_[level], missing[k], found);
+            const auto normal = estimate_normal(grid, missing[k], found);
             is_left[k] = !normal;
             if (normal) normals_.col(missing[k]) = *normal;
           }

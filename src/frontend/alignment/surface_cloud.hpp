@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -10,7 +12,8 @@
 namespace gmcr::frontend {
 
 /// Points of a surface, about their centroid, with what an alignment asks of them again and again:
-/// the nearest point, and the normals of the points that take part.
+/// the nearest point, and the normals of the points that take part. Several threads may ask at
+/// once.
 class SurfaceCloud {
  public:
   /// @param points  3 x N, metres, finite, N >= 1, N < 2^31.
@@ -26,7 +29,8 @@ class SurfaceCloud {
 
   /// Column of the point nearest to each query that has one within `radius` metres, else -1.
   /// @param queries  3 x M, metres, about the centre.
-  /// Cost O(M) for radii of up to three spacings. Deterministic for any thread count.
+  /// Cost O(M) for radii of up to three spacings, and O(N) the first time for larger ones.
+  /// Deterministic for any thread count.
   std::vector<Index> nearest(const PointsRef& queries, double radius, int num_threads);
 
   /// Makes the normals of these points known: unit, of arbitrary sign; 0 where the nearest points
@@ -46,6 +50,9 @@ class SurfaceCloud {
     std::vector<double> squared_distances;
   };
 
+  /// The grid that reaches sqrt(3)^k times as far as the first one. The mutex is held.
+  const PointGrid& wider(int k);
+
   /// Finds the points of a grid within a radius of one of them; how many.
   std::size_t find_near(const PointGrid& grid, Index i, double radius, Found& found) const;
 
@@ -54,7 +61,9 @@ class SurfaceCloud {
                                                  Found& found) const;
 
   Points points_;
-  std::vector<PointGrid> grids_;  ///< each reaches farther than the one before
+  PointGrid grid_;
+  std::mutex mutex_;  ///< of what follows
+  std::map<int, PointGrid> wider_;
   Points normals_;
   std::vector<char> is_known_;
 };

@@ -19,11 +19,14 @@ Hypotheses::Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Op
                        const parallel::Deadline& deadline)
     : judge_(std::move(pair), voxel, options), options_(options), deadline_(deadline) {}
 
-void Hypotheses::add(const Similarity& start, const Candidate& best) {
+void Hypotheses::add(const std::vector<Similarity>& starts,
+                     const std::function<Candidate()>& best) {
   if (deadline_.expired()) return;
-  const Candidate glanced = judge_.glance(start, deadline_);
-  if (glanced.overlap < kWorthALook * best.overlap) return;
-  seen_.push_back(judge_.approach(glanced.target_from_source, deadline_));
+  for (const Candidate& glanced : judge_.glance(starts, deadline_)) {
+    if (deadline_.expired()) return;
+    if (glanced.overlap < kWorthALook * best().overlap) continue;
+    seen_.push_back(judge_.approach(glanced.target_from_source, deadline_));
+  }
 }
 
 Candidate Hypotheses::best_of(const Result& registration) {
@@ -33,9 +36,7 @@ Candidate Hypotheses::best_of(const Result& registration) {
   if (num_before == 0 && options_.initial_pose && !deadline_.expired()) {
     seen_.push_back(judge_.approach_initial_pose(first.target_from_source.scale, deadline_));
   }
-  for (const Alternative& alternative : registration.alternatives) {
-    add(alternative.target_from_source, first);
-  }
+  add(poses_of(registration.alternatives), [&] { return first; });
   Candidate best = first;
   for (std::size_t k = num_before; k < seen_.size(); ++k) {
     if (seen_[k].overlap > kBetter * best.overlap) best = seen_[k];
@@ -45,10 +46,11 @@ Candidate Hypotheses::best_of(const Result& registration) {
 
 Candidate Hypotheses::approach(const Similarity& pose, const std::vector<RivalPose>& rivals) {
   const Candidate candidate = judge_.approach(pose, deadline_);
-  for (const RivalPose& rival : rivals) add(rival.target_from_source, candidate);
+  std::vector<Similarity> others = poses_of(rivals);
   for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
-    add(turned, candidate);
+    others.push_back(turned);
   }
+  add(others, [&] { return candidate; });
   return candidate;
 }
 
@@ -58,14 +60,12 @@ Candidate Hypotheses::best_with(const std::vector<Similarity>& poses) {
         seen_.begin(), seen_.end(),
         [](const Candidate& a, const Candidate& b) { return a.overlap < b.overlap; });
   };
-  for (const Similarity& pose : poses) add(pose, best());
+  add(poses, best);
   return best();
 }
 
 Candidate Hypotheses::challenged(const Candidate& candidate) {
-  for (const Similarity& turned : judge_.half_turns(candidate.target_from_source)) {
-    add(turned, candidate);
-  }
+  add(judge_.half_turns(candidate.target_from_source), [&] { return candidate; });
   Candidate best = candidate;
   for (const Candidate& other : seen_) {
     if (other.overlap > kBetter * candidate.overlap && other.overlap > best.overlap) best = other;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -43,8 +44,9 @@ class Hypotheses {
   std::vector<RivalPose> rivals_of(const Candidate& candidate);
 
  private:
-  /// The pose near `start`, which is looked at closely only where it may be a rival of `best`.
-  void add(const Similarity& start, const Candidate& best);
+  /// The poses near `starts`, each of which is looked at closely only where it may be a rival of
+  /// the best one so far.
+  void add(const std::vector<Similarity>& starts, const std::function<Candidate()>& best);
 
   SurfaceJudge judge_;
   const Options& options_;

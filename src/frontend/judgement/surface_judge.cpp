@@ -11,6 +11,7 @@
 #include "frontend/judgement/overlap.hpp"
 #include "geometry/angles.hpp"
 #include "geometry/elementary.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -28,7 +29,8 @@ constexpr double kAlmostAll = 0.9;  // of the source
 }  // namespace
 
 SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, const Options& options)
-    : pair_(std::move(pair)), voxel_(voxel), options_(options) {
+    : pair_(std::move(pair)), voxel_(voxel), options_(options), alone_(options) {
+  alone_.num_threads = 1;
   const Points& points = pair_->source.points();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(points * points.transpose() /
                                                               static_cast<double>(points.cols()));
@@ -38,15 +40,27 @@ SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, cons
 }
 
 Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& scale,
-                             const parallel::Deadline& deadline) {
-  const RefinedPose refined = refine_pose(*pair_, start, scale, options_, deadline);
+                             const Options& options, const parallel::Deadline& deadline) {
+  const RefinedPose refined = refine_pose(*pair_, start, scale, options, deadline);
   const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_,
-                                          scale.max_samples, options_.num_threads);
+                                          scale.max_samples, options.num_threads);
   return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
 }
 
+std::vector<Candidate> SurfaceJudge::look_at_all(const std::vector<Similarity>& starts,
+                                                 const RefinementScale& scale,
+                                                 const parallel::Deadline& deadline) {
+  std::vector<Candidate> found(starts.size());
+  const Options& options = starts.size() > 1 ? alone_ : options_;
+  parallel::parallel_for(std::ssize(starts), 1, options_.num_threads, [&](Index i, Index) {
+    const auto k = static_cast<std::size_t>(i);
+    found[k] = look(starts[k], scale, options, deadline);
+  });
+  return found;
+}
+
 Candidate SurfaceJudge::approach(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, {voxel_, kReach, kComparedSamples, kLeastStep}, deadline);
+  return look(start, {voxel_, kReach, kComparedSamples, kLeastStep}, options_, deadline);
 }
 
 Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Deadline& deadline) {
@@ -56,15 +70,17 @@ Candidate SurfaceJudge::approach_initial_pose(double scale, const parallel::Dead
   const double size = std::sqrt(variances_.sum()) * scale;
   const double off = prior.max_translation + 2 * elementary::sin(prior.max_rotation / 2) * size;
   const double reach = std::clamp(off / voxel_, kReach, kFarthestReach);
-  return look(start, {voxel_, reach, kComparedSamples, kLeastStep}, deadline);
+  return look(start, {voxel_, reach, kComparedSamples, kLeastStep}, options_, deadline);
 }
 
-Candidate SurfaceJudge::glance(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, {voxel_, kReach, kFewSamples, kLeastStep}, deadline);
+std::vector<Candidate> SurfaceJudge::glance(const std::vector<Similarity>& starts,
+                                            const parallel::Deadline& deadline) {
+  return look_at_all(starts, {voxel_, kReach, kFewSamples, kLeastStep}, deadline);
 }
 
-Candidate SurfaceJudge::peek(const Similarity& start, const parallel::Deadline& deadline) {
-  return look(start, {voxel_, kReach, kFewestSamples, kLongStep}, deadline);
+std::vector<Candidate> SurfaceJudge::peek(const std::vector<Similarity>& starts,
+                                          const parallel::Deadline& deadline) {
+  return look_at_all(starts, {voxel_, kReach, kFewestSamples, kLongStep}, deadline);
 }
 
 std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {

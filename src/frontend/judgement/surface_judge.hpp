@@ -18,6 +18,14 @@ struct Candidate {
   double overlap = 0;       ///< `SurfaceFit::overlap`
 };
 
+/// Those of candidates, alternatives or rivals.
+template <class Posed>
+std::vector<Similarity> poses_of(const std::vector<Posed>& all) {
+  std::vector<Similarity> poses;
+  for (const Posed& one : all) poses.push_back(one.target_from_source);
+  return poses;
+}
+
 /// Refines and compares poses of two clouds by how their surfaces meet: all on the same voxels, so
 /// that poses of unlike attempts can be compared.
 class SurfaceJudge {
@@ -33,11 +41,13 @@ class SurfaceJudge {
   /// but is followed over twelve voxels at most.
   Candidate approach_initial_pose(double scale, const parallel::Deadline& deadline);
 
-  /// The same by fewer points, to see whether a closer look is worth its time.
-  Candidate glance(const Similarity& start, const parallel::Deadline& deadline);
+  /// The same of each by fewer points, to see whether a closer look is worth its time.
+  std::vector<Candidate> glance(const std::vector<Similarity>& starts,
+                                const parallel::Deadline& deadline);
 
   /// The same by fewer points yet, a few steps on the way: to tell the promising of many starts.
-  Candidate peek(const Similarity& start, const parallel::Deadline& deadline);
+  std::vector<Candidate> peek(const std::vector<Similarity>& starts,
+                              const parallel::Deadline& deadline);
 
   /// The pose turned by half about each principal axis of the source, through its centroid: how
   /// symmetric parts, corridors and bare ground are mistaken for themselves. Those that the priors
@@ -53,8 +63,11 @@ class SurfaceJudge {
   bool is_symmetry(const Similarity& a, const Similarity& b);
 
  private:
-  Candidate look(const Similarity& start, const RefinementScale& scale,
+  Candidate look(const Similarity& start, const RefinementScale& scale, const Options& options,
                  const parallel::Deadline& deadline);
+  std::vector<Candidate> look_at_all(const std::vector<Similarity>& starts,
+                                     const RefinementScale& scale,
+                                     const parallel::Deadline& deadline);
 
   std::shared_ptr<CentredPair> pair_;
   double voxel_;               ///< metres, target frame
@@ -62,6 +75,7 @@ class SurfaceJudge {
   Eigen::Matrix3d axes_;       ///< principal axes of the source, columns
   Eigen::Vector3d variances_;  ///< of the source along them, square metres
   const Options& options_;
+  Options alone_;  ///< the same for one thread, of those that look at many starts
 };
 
 }  // namespace gmcr::frontend

@@ -115,15 +115,12 @@ std::vector<Similarity> poses_by_views(const ObjectAndView& clouds, const Option
   const auto pair =
       std::make_shared<CentredPair>(object, view, cell / scale, cell, options.num_threads);
   SurfaceJudge judge(pair, cell, options);
-  std::vector<Candidate> found;
-  for (const Similarity& start : starts_of(object, view, cell / scale, clouds.viewpoint, scale)) {
-    if (options.admit(start) && !deadline.expired()) found.push_back(judge.peek(start, deadline));
-  }
+  std::vector<Similarity> starts = starts_of(object, view, cell / scale, clouds.viewpoint, scale);
+  std::erase_if(starts, [&](const Similarity& start) { return !options.admit(start); });
+  std::vector<Candidate> found = judge.peek(starts, deadline);
   best_first(found);
   found.resize(std::min(found.size(), kWorthMore));
-  for (Candidate& candidate : found) {
-    candidate = judge.glance(candidate.target_from_source, deadline);
-  }
+  found = judge.glance(poses_of(found), deadline);
   best_first(found);
   std::vector<Similarity> poses;
   for (const Candidate& candidate : found) {

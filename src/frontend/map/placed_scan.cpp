@@ -22,9 +22,7 @@ std::optional<PlacedScan> compare_places(const std::shared_ptr<CentredPair>& pai
                                          const parallel::Deadline& deadline) {
   SurfaceJudge judge(pair, voxel, options);
   std::vector<Candidate> candidates;
-  for (const Similarity& start : starts) {
-    if (!candidates.empty() && deadline.expired()) break;
-    const Candidate candidate = judge.glance(start, deadline);
+  for (const Candidate& candidate : judge.glance(starts, deadline)) {
     if (!options.admit(candidate.target_from_source)) continue;
     const bool is_new =
         std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
