@@ -107,9 +107,10 @@ class MinimaxClimb {
   /// What each gives at a scale; the same at every scale but where copies are told by it.
   void weigh(double scale) {
     if (weights_.size() == std::ssize(indices_) && !objective_.weights_depend_on_scale()) return;
-    weights_.resize(std::ssize(indices_));
-    std::transform(indices_.begin(), indices_.end(), weights_.begin(),
+    Eigen::ArrayXd weights(std::ssize(indices_));  // a resize that fails would free the old twice
+    std::transform(indices_.begin(), indices_.end(), weights.begin(),
                    [&](Index i) { return objective_.weight(i, scale); });
+    weights_ = std::move(weights);
   }
 
   const problem::Objective& objective_;
