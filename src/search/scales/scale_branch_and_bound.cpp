@@ -26,14 +26,17 @@ Index max_open(const PoseSearch& search) {
              : kLeast + kMoreWords / (n * (n / BitsetGraph::kBitsPerWord + 1));
 }
 
-/// Ranges that are searched side by side, at most: one after the other where the caller's solver or
-/// a proof wants the threads for itself, as does the graph of many correspondences.
+/// Ranges that are searched side by side, at most: as many as the memory takes graphs of; one after
+/// the other where the caller's solver or a proof wants the threads for itself, as does the graph
+/// of many correspondences.
 Index max_round(const PoseSearch& search) {
   constexpr Index kMost = 8;
   const Options& options = search.problem().options();
-  return options.certify || options.clique_solver || search.problem().size() > problem::kQuickGraph
-             ? 1
-             : kMost;
+  const Index n = search.problem().size();
+  if (options.certify || options.clique_solver || n > problem::kQuickGraph) return 1;
+  const std::size_t fit =
+      options.memory_limit / (2 * BitsetGraph::bytes_required(n));  // and copies
+  return std::clamp<Index>(static_cast<Index>(std::min<std::size_t>(fit, kMost)), 1, kMost);
 }
 
 /// Whether all pairs of the correspondences agree at one scale of the range.
