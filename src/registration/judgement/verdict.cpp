@@ -150,11 +150,10 @@ void judge(Result& result, const Problem& problem, problem::Run& run) {
     return static_cast<double>(held) > kReflected * static_cast<double>(num_inliers);
   };
   // none holds more than all
-  const Index reflected =
-      is_more(problem.input().size())
-          ? reflected_inliers(problem.input(), {result.target_from_source}, result.inliers,
-                              problem.scales())
-          : 0;
+  const Index reflected = is_more(problem.input().size())
+                              ? reflected_inliers(problem.input(), {result.target_from_source},
+                                                  result.inliers, problem.scales())
+                              : 0;
   const bool is_reflected =
       is_more(reflected) && odds.log10_false_alarms(reflected) <= kTrustedLog10;
   result.verdict = Verdict::Untrusted;

@@ -63,7 +63,7 @@ bool agree_at_one_scale(const geometry::CorrespondenceArrays& arrays,
 ScaleBranchAndBound::ScaleBranchAndBound(PoseSearch& search, VotedBins& voted)
     : search_(search), voted_(voted) {
   for (Index bin = 0; bin < voted.bins().size(); ++bin) {
-    ranges_.push_back({voted.bins()[bin], bin, voted.bounds(bin)});
+    ranges_.push_back({voted.bins()[bin], bin, voted.bounds(bin), {}});
   }
 }
 
@@ -122,8 +122,8 @@ void ScaleBranchAndBound::halve_front(Measure measure) {
   Range& whole = ranges_.back();
   const ScaleRange scales = whole.scales;
   const double middle = std::sqrt(scales.min) * std::sqrt(scales.max);
-  const Range upper{{middle, scales.max}, whole.bin, whole.bounds};
-  whole = {{scales.min, middle}, whole.bin, whole.bounds};
+  const Range upper{{middle, scales.max}, whole.bin, whole.bounds, {}};
+  whole = {{scales.min, middle}, whole.bin, whole.bounds, {}};
   std::push_heap(ranges_.begin(), ranges_.end(), has_less);
   ranges_.push_back(upper);
   std::push_heap(ranges_.begin(), ranges_.end(), has_less);

@@ -34,9 +34,9 @@ class ScaleBranchAndBound {
     ScaleRange scales;
     Index bin = 0;  ///< that it is part of
     PerMeasure bounds;
-    std::vector<Index> clique = {};  ///< of most inliers that its search met; empty: none
-    bool searched[2] = {};           ///< by cliques, for each measure
-    bool tightened[2] = {};          ///< for each measure
+    std::vector<Index> clique;  ///< of most inliers that its search met; empty: none
+    bool searched[2] = {};      ///< by cliques, for each measure
+    bool tightened[2] = {};     ///< for each measure
   };
 
   /// What the clique searches of a range found, where they were needed.
