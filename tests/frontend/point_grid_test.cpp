@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
 #include "frontend/alignment/surface_cloud.hpp"
 #include "frontend/points/cell_order.hpp"
 #include "frontend/shapes.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -138,6 +140,30 @@ TEST(SurfaceCloud, FindsTheNearestPointAtAnyRadius) {
           (points.colwise() - queries.col(q)).colwise().norm().minCoeff(&nearest);
       EXPECT_EQ(found[static_cast<std::size_t>(q)], distance <= radius ? nearest : -1);
     }
+  }
+}
+
+TEST(SurfaceCloud, TellsSeveralThreadsAtOnceWhatItTellsOne) {
+  const Points points = random_points(3000, 8), queries = random_points(200, 9);
+  const std::vector<double> radii{0.05, 0.1, 0.3, 1.0};  // each wider grid is made when asked for
+  std::vector<Index> all(3000);
+  std::iota(all.begin(), all.end(), Index{0});
+  SurfaceCloud alone(points, Eigen::Vector3d::Zero(), 0.02);
+  std::vector<std::vector<Index>> expected;
+  for (const double radius : radii) expected.push_back(alone.nearest(queries, radius, 1));
+  alone.require_normals(all, 1);
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    SurfaceCloud shared(points, Eigen::Vector3d::Zero(), 0.02);
+    std::vector<std::vector<Index>> found(40);
+    parallel::parallel_for(std::ssize(found), 1, 8, [&](Index i, Index) {
+      const auto k = static_cast<std::size_t>(i);
+      found[k] = shared.nearest(queries, radii[(radii.size() - 1) - k % radii.size()], 1);
+      shared.require_normals(all, 1);
+    });
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k], expected[(radii.size() - 1) - k % radii.size()]);
+    }
+    for (const Index i : all) EXPECT_EQ(shared.normal(i), alone.normal(i));
   }
 }
 

@@ -84,6 +84,29 @@ TEST(ParallelFor, LeavesNoMemoryBehind) {
   EXPECT_LT(resident_bytes(), before + 4'000'000);
 }
 
+TEST(CallBoth, CallsBothWithLoopsOfTheirOwn) {
+  for (const int threads : {1, 2, 7}) {
+    std::atomic<Index> first = 0, second = 0;
+    const auto sum_to = [&](std::atomic<Index>& sum) {
+      parallel_for(1000, 10, threads, [&](Index begin, Index end) { sum += end - begin; });
+    };
+    call_both(
+        threads, [&] { sum_to(first); }, [&] { sum_to(second); });
+    EXPECT_EQ(first, 1000);
+    EXPECT_EQ(second, 1000);
+  }
+}
+
+TEST(CallBoth, ForwardsAnExceptionOfEither) {
+  const auto fail = [] { throw std::runtime_error("no"); };
+  for (const int threads : {1, 2}) {
+    EXPECT_THROW(call_both(threads, fail, [] {}), std::runtime_error);
+    EXPECT_THROW(call_both(
+                     threads, [] {}, fail),
+                 std::runtime_error);
+  }
+}
+
 TEST(ResolveNumThreads, KeepsARequestAndTurnsZeroIntoEveryCore) {
   EXPECT_EQ(resolve_num_threads(3), 3);
   EXPECT_GE(resolve_num_threads(0), 1);
