@@ -148,8 +148,11 @@ RC_GTEST_PROP(Laws, TheOrderOfTheMatchesDoesNotMatter, ()) {
     for (const Index i : other.inliers) inliers.push_back(order[static_cast<std::size_t>(i)]);
     std::sort(inliers.begin(), inliers.end());
     RC_ASSERT(inliers == one.inliers);
+    // where several poses hold the same matches, fits start from another one of them and stop at
+    // another distance from where they settle
+    constexpr double kSettled = 1e-3;  // noise bounds
     RC_ASSERT(mean_point_error(one.target_from_source, other.target_from_source, problem.source) <
-              1e-9);
+              kSettled * problem.noise_bound);
   }
 }
 
