@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "frontend/features/stage_clock.hpp"
 #include "frontend/shapes.hpp"
 #include "gmcr/frontend.hpp"
 
@@ -190,6 +192,18 @@ TEST(MatchClouds, OfCloudsWithoutASurfaceAreNone) {
 TEST(MatchClouds, OfAVoxelTooSmallToNumberThrows) {
   const Points whole = bumpy_sphere(500, 1);
   EXPECT_THROW(match_clouds(whole, whole, outward(1e-19)), std::invalid_argument);
+}
+
+TEST(StageClock, SharesALapAmongStagesThatRanSideBySide) {
+  std::vector<StageTime> stages;
+  const std::vector<StageTime> one{{"a", 3}, {"b", 1}}, other{{"a", 4}}, none;
+  StageClock clock(stages);
+  clock.lap({none, none});
+  EXPECT_TRUE(stages.empty());
+  clock.lap({one, other});
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_GT(stages[1].seconds, 0);
+  EXPECT_NEAR(stages[0].seconds, 7 * stages[1].seconds, 1e-9);
 }
 
 }  // namespace

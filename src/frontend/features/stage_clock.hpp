@@ -37,13 +37,15 @@ class StageClock {
   /// Books the time since the last lap on the stage `name`.
   void lap(const char* name) { add_stage(stages_, name, since_last()); }
 
-  /// Books it on stages that ran side by side, in proportion to the times that these took.
+  /// Books it on stages that ran side by side, in proportion to the times that these took; where
+  /// none ran, it is left to the next lap.
   void lap(std::initializer_list<std::span<const StageTime>> side_by_side) {
-    const double elapsed = since_last();
     double sum = 0;
     for (const auto stages : side_by_side) {
       for (const StageTime& stage : stages) sum += stage.seconds;
     }
+    if (!(sum > 0)) return;
+    const double elapsed = since_last();
     for (const auto stages : side_by_side) {
       for (const StageTime& stage : stages) {
         add_stage(stages_, stage.name, elapsed * stage.seconds / sum);
