@@ -100,8 +100,9 @@ std::size_t PointGrid::slot_of(const Cell& cell) const {
        static_cast<std::uint64_t>(z) * 0xcb1ab31f) *
       0x9e3779b97f4a7c15;
   std::size_t slot = (mixed >> 32) & (table_.size() - 1);
-  const auto is_other = [&](const Entry& entry) {  // of arrays, != calls memcmp
-    return entry.runs >= 0 && (entry.cell[0] != x || entry.cell[1] != y || entry.cell[2] != z);
+  const auto is_other = [&cell](const Entry& entry) {  // of arrays, != calls memcmp
+    return entry.runs >= 0 &&
+           (entry.cell[0] != cell[0] || entry.cell[1] != cell[1] || entry.cell[2] != cell[2]);
   };
   while (is_other(table_[slot])) slot = (slot + 1) & (table_.size() - 1);
   return slot;
