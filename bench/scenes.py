@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import gaussian_filter, minimum_filter
 
 Cloud = np.ndarray  # (N, 3), metres
 NUM_RAYS = 30_000
@@ -215,6 +216,34 @@ def boxes_and_prisms(count: int) -> Iterator[Scan]:
             views.append((moved(points, np.linalg.inv(sensor)), sensor))
         (a, from_a), (b, from_b) = views
         yield Scan(f"box {seed}", a, b, np.linalg.inv(from_b) @ from_a)
+
+
+def depth_image(points: Cloud, random: np.random.Generator, noise: float) -> Scan:
+    """What a depth camera sees of a model about 0.2 m large at 0.75 m, off by `noise` metres along
+    the rays, half of it alike over some pixels; and where the model lies."""
+    turn, focal, size = random_rotation(random), 400.0, 640
+    centre = points.mean(axis=0)
+    place = np.array([*random.uniform(-0.1, 0.1, 2), 0.75])
+    truth = pose(turn, place - turn @ centre)
+    seen = moved(points, truth)
+    column, row = (np.round(focal * seen[:, :2] / seen[:, 2:]) + size // 2).astype(int).T
+    depth = np.full((size, size), np.inf)
+    np.minimum.at(depth, (row, column), seen[:, 2])
+    gap = 0.06 * np.ptp(points, axis=0).max()  # what lies behind shows through between the points
+    rows, columns = np.nonzero(np.isfinite(depth) & (depth < minimum_filter(depth, 7) + gap))
+    smooth = gaussian_filter(random.normal(size=depth.shape), 2.0)
+    off = 0.7 * (smooth / smooth.std() + random.normal(size=depth.shape))
+    z = (depth + noise * off)[rows, columns]
+    rays = np.stack([columns - size // 2, rows - size // 2, np.full(len(rows), focal)], axis=1)
+    return Scan("", points, rays / focal * z[:, None], truth)
+
+
+def views(models: dict[str, Cloud], count: int, noise: float) -> Iterator[Scan]:
+    """Each model against views of it."""
+    for seed in range(count):
+        for k, (name, points) in enumerate(models.items()):
+            scan = depth_image(points, np.random.default_rng([7, seed, k]), noise)
+            yield Scan(f"{name} {seed}", scan.source, scan.target, scan.truth)
 
 
 def mirrored(scans: Iterator[Scan]) -> Iterator[Scan]:

@@ -114,6 +114,8 @@ struct SurfaceFit {
   double agreement = 0;     ///< share of the voxels that meet whose normals are within 26 degrees
   double noise = 0;         ///< standard deviation of the distance along the normals, metres
   std::vector<WeakDirection> weak_directions;  ///< what the surfaces leave open, weakest first
+  /// Share of a cloud that lies where the other sensor saw through; 0 where no viewpoint is known.
+  double contradicted = 0;
 
   /// Sum of the two shares: of two poses on the same voxels the better one has more.
   double overlap() const { return source_share + target_share; }
@@ -158,9 +160,12 @@ struct CloudResult {
   int num_attempts = 0;        ///< front-end settings that were tried
   Refinement refinement;       ///< what the alignment of the surfaces did
   SurfaceFit surfaces;         ///< of the pose
-  /// Whether the mirrored source was matched alike and has clearly less evidence, so that the
-  /// surfaces lie apart by the noise of the sensor, not because one of the clouds is left-handed.
+  /// Whether the mirrored source was tried alike and is worse, so that the surfaces lie apart by the
+  /// noise of the sensor, not because one of the clouds is left-handed: where it was matched, it has
+  /// clearly less evidence; where it was turned, it overlaps less.
   bool mirrored_is_worse = false;
+  /// Whether the mirrored source meets the target better: one of the clouds is left-handed.
+  bool mirrored_is_better = false;
   /// Whether the source was turned all around, as a whole object that the target shows, so that the
   /// surfaces found the pose and not the matches.
   bool found_by_turning = false;

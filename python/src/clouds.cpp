@@ -95,6 +95,8 @@ void bind_surfaces(nb::module_& module) {
              "Share of the source that the target covers, with its normals, in [0, 1].")
       .field("target_share", &SurfaceFit::target_share,
              "Share of the target that the source covers, with its normals, in [0, 1].")
+      .field("contradicted", &SurfaceFit::contradicted,
+             "Share of a cloud that lies where the other sensor saw through; 0: not known.")
       .field("agreement", &SurfaceFit::agreement,
              "Share of the voxels that meet whose normals are within 26 degrees.")
       .field("noise", &SurfaceFit::noise,
@@ -141,8 +143,10 @@ void bind_cloud_result(nb::module_& module) {
           .field("num_attempts", &CloudResult::num_attempts, "Settings that were tried.")
           .field("refinement", &CloudResult::refinement, "What the refinement did to the pose.")
           .field("surfaces", &CloudResult::surfaces, "SurfaceFit of the pose.")
+          .field("mirrored_is_better", &CloudResult::mirrored_is_better,
+                 "Whether the mirrored source meets the target better: left-handed data.")
           .field("mirrored_is_worse", &CloudResult::mirrored_is_worse,
-                 "Whether the mirrored source was tried and has clearly less evidence.")
+                 "Whether the mirrored source was tried and has clearly less evidence, or overlap.")
           .field("found_by_turning", &CloudResult::found_by_turning,
                  "Whether the source was turned all around, as an object that the target shows.")
           .field("rivals", &CloudResult::rivals,

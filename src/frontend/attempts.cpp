@@ -13,6 +13,7 @@
 #include "frontend/refine_clouds.hpp"
 #include "frontend/unknown_scale.hpp"
 #include "gmcr/registration.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -26,6 +27,9 @@ bool exceeds_memory(const CloudMatches& matches, const Options& options) {
 
 /// Overlap over that of a pose that matches speak for, above which one that they do not is better.
 constexpr double kMuchBetter = 1.25;
+/// Overlap of the mirrored source over that of the source above which it fits better.
+constexpr double kFitsBetter = 1.03;
+constexpr double kWorthAGlance = 0.8;  // the same by a peek
 /// Share of its evidence with which matches speak for another pose as well.
 constexpr double kSpeaksToo = 0.5;
 
@@ -114,7 +118,27 @@ void Attempts::judge_by_voxels_of(const CloudMatches& matches) {
   voxels_ = {matches.source_voxels, matches.target_voxels, matches.source_voxel_size,
              matches.target_voxel_size};
   pair_ = centred_pair(voxels_, options_.num_threads);
+  if (pair_ && refines()) see(*pair_);
   hypotheses_.reset();
+}
+
+std::vector<RivalPose> Attempts::rivals_of(const CloudResult& result, const Candidate& candidate) {
+  return hypotheses_->rivals_of(
+      candidate, [&](const Candidate& other) { return evidence_of(result, other, options_); });
+}
+
+/// Gives a pair what the sensors saw, where they were somewhere known.
+void Attempts::see(CentredPair& pair) {
+  if (!views_) {
+    views_.emplace();
+    if (frontend_.orientation != NormalOrientation::Outward) {
+      parallel::call_both(
+          options_.num_threads,
+          [&] { views_->first = view_from(frontend_.source_viewpoint, source_.points()); },
+          [&] { views_->second = view_from(frontend_.target_viewpoint, target_.points()); });
+    }
+  }
+  std::tie(pair.source_view, pair.target_view) = *views_;
 }
 
 /// Judges the pose of the matches as it is.
@@ -152,8 +176,10 @@ Attempt Attempts::refined(CloudResult result, const FrontendSetting& setting) {
     if (best_.result.registration.status == Status::Ok) {
       poses.push_back(best_.candidate.target_from_source);
     }
+    hypotheses_->expect_no_matches();
     candidate = hypotheses_->best_with(poses);
     result.found_by_turning = true;
+    result.rivals = rivals_of(result, candidate);
     result = take(std::move(result), candidate, *pair_, options_);
   }
   clock.lap("comparison");
@@ -166,6 +192,8 @@ Attempt Attempts::with_clearer_matches(Attempt attempt, const CloudResult& other
   if (other.registration.status != Status::Ok) return attempt;
   CloudResult by_other = other;
   by_other.voxels = voxels_;
+  by_other.found_by_turning = attempt.result.found_by_turning;
+  by_other.rivals = attempt.result.rivals;
   by_other = take(std::move(by_other), attempt.candidate, *pair_, options_);
   const auto key = [](const CloudResult& result) {
     return std::tuple(-static_cast<int>(result.verdict), result.distinct_evidence);
@@ -264,13 +292,34 @@ void Attempts::compare_with_rivals() {
   StageClock clock(best_.result.registration.diagnostics.stages);
   const Similarity before = best_.candidate.target_from_source;
   best_.candidate = preferred();
-  best_.result.rivals = hypotheses_->rivals_of(best_.candidate);
+  best_.result.rivals = rivals_of(best_.result, best_.candidate);
   if (best_.candidate.target_from_source.matrix() == before.matrix()) {
     judge(best_.result);
   } else {
     best_.result = take(std::move(best_.result), best_.candidate, *pair_, options_);
   }
   clock.lap("comparison");
+}
+
+/// Whether the mirrored source meets the target better than the source does at the best pose.
+bool Attempts::fits_mirrored() const {
+  Points points = voxels_.source;
+  points.row(0) *= -1;
+  const auto mirrored =
+      std::make_shared<CentredPair>(points, voxels_.target, voxels_.source_voxel_size,
+                                    voxels_.target_voxel_size, options_.num_threads);
+  SurfaceJudge judge(pair_, voxels_.target_voxel_size, options_);
+  SurfaceJudge mirrored_judge(mirrored, voxels_.target_voxel_size, options_);
+  const Similarity& pose = best_.candidate.target_from_source;
+  const std::vector<Candidate> seen = mirrored_judge.peek(judge.reflections(pose), deadline_);
+  const auto best = std::max_element(
+      seen.begin(), seen.end(),
+      [](const Candidate& a, const Candidate& b) { return a.overlap < b.overlap; });
+  if (best->overlap < kWorthAGlance * best_.candidate.overlap) return false;
+  const auto glanced = [&](SurfaceJudge& by, const Similarity& start) {
+    return by.glance({start}, deadline_).front().overlap;
+  };
+  return glanced(mirrored_judge, best->target_from_source) > kFitsBetter * glanced(judge, pose);
 }
 
 const CloudResult& Attempts::compared() {
@@ -287,6 +336,9 @@ CloudResult Attempts::settled() {
     result.refinement.note = "no pose to refine";
     if (result.registration.status == Status::Ok) {
       compare_with_rivals();
+      if (result.verdict == Verdict::Trusted && options_.admit_all() && fits_mirrored()) {
+        result.mirrored_is_better = true;
+      }
       result = settle(std::move(result), source_.points(), target_.points(), *pair_, best_.matched,
                       options_, deadline_);
     }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "frontend/cloud_pair.hpp"
@@ -57,12 +58,15 @@ class Attempts {
   std::optional<double> guessed_scale(const FrontendSetting& setting);
   std::optional<CloudResult> match(const FrontendSetting& setting);
   void judge_by_voxels_of(const CloudMatches& matches);
+  void see(CentredPair& pair);
+  std::vector<RivalPose> rivals_of(const CloudResult& result, const Candidate& candidate);
   Attempt judged(CloudResult result);
   Attempt refined(CloudResult result, const FrontendSetting& setting);
   Attempt with_clearer_matches(Attempt attempt, const CloudResult& other);
   void keep_better(Attempt next, const FrontendSetting& setting);
   Candidate preferred();
   void compare_with_rivals();
+  bool fits_mirrored() const;
   void note_limits(const CloudResult& result);
   bool refines() const { return frontend_.refine == Refine::Icp; }
 
@@ -73,6 +77,9 @@ class Attempts {
   const parallel::Deadline& deadline_;
   JudgedVoxels voxels_;                ///< by which all poses are judged
   std::shared_ptr<CentredPair> pair_;  ///< the same; null where one cloud has none
+  /// What the sensors saw; null where they were somewhere unknown.
+  std::optional<std::pair<std::shared_ptr<const RangeImage>, std::shared_ptr<const RangeImage>>>
+      views_;
   std::optional<Hypotheses> hypotheses_;
   Attempt best_;
   FrontendSetting best_setting_;

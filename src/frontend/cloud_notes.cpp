@@ -123,14 +123,14 @@ void add_notes(CloudResult& result, CloudScales& source, CloudScales& target,
                const Options& options) {
   if (source.points().cols() == 0 || target.points().cols() == 0) return;
   const bool is_automatic = frontend.orientation == NormalOrientation::Automatic;
-  const CloudMatches& matches = result.matches;
+  const JudgedVoxels& voxels = result.voxels;
   add_notes_on(
       result,
-      {"source", source.points(), from, frontend.source_viewpoint, matches.source_voxel_size},
+      {"source", source.points(), from, frontend.source_viewpoint, voxels.source_voxel_size},
       is_automatic);
-  add_notes_on(
-      result, {"target", target.points(), to, frontend.target_viewpoint, matches.target_voxel_size},
-      is_automatic);
+  add_notes_on(result,
+               {"target", target.points(), to, frontend.target_viewpoint, voxels.target_voxel_size},
+               is_automatic);
   if (options.scale_mode == ScaleMode::Known) {
     const double source_extent = options.scale * source.extent();
     const double target_extent = target.extent();

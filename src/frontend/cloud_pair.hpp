@@ -23,8 +23,8 @@ struct Clouds {
   const PointsRef& target;
 };
 
-/// Whether `viewpoint` is the origin, which nobody named, and the cloud lies farther from it than
-/// any sensor would see: then where the sensor was is unknown.
+/// Whether `viewpoint` is the origin, which nobody named, and the cloud lies far from it and is no
+/// view from there: then where the sensor was is unknown.
 bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpoint);
 
 /// The settings that `frontend` allows, most promising first, each once; at least one. Where the

@@ -92,9 +92,15 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     return result;
   }
   const auto voxels = frontend::centred_pair(result.voxels, options.num_threads);
+  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  voxels->source_view = frontend::view_from(origin, source);
+  voxels->target_view = frontend::view_from(origin, target);
   frontend::Hypotheses hypotheses(voxels, result.voxels.target_voxel_size, options, deadline);
+  if (result.found_by_turning) hypotheses.expect_no_matches();
   const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);
-  result.rivals = hypotheses.rivals_of(candidate);
+  result.rivals = hypotheses.rivals_of(candidate, [&](const frontend::Candidate& other) {
+    return frontend::evidence_of(result, other, options);
+  });
   result = frontend::take(std::move(result), candidate, *voxels, options);
   return frontend::settle(std::move(result), source, target, *voxels, matched, options, deadline);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,15 +22,15 @@ using frontend::FrontendSetting;
 
 /// Evidence of the mirrored source over that of the source below which it is clearly worse.
 constexpr double kClearlyWorse = 0.5;
+/// The same of the overlap of an object that was turned, whose mirror image may be much like it.
+constexpr double kOverlapsLess = 0.985;
 
-/// Whether the mirrored source, matched as the best attempt was, speaks clearly less for itself.
-bool is_mirrored_worse(CloudScales& source, CloudScales& target, const FrontendOptions& frontend,
-                       const Options& options, const Attempts& attempts,
-                       const parallel::Deadline& deadline) {
-  const auto mirrored = frontend::register_mirrored(source, target, frontend, options,
-                                                    attempts.best_setting(), deadline);
-  return mirrored &&
-         mirrored->distinct_evidence < kClearlyWorse * attempts.best().result.distinct_evidence;
+/// Whether the mirrored source, matched or turned as in an attempt, speaks less for itself.
+bool is_worse(const CloudResult& mirrored, const CloudResult& result) {
+  if (result.found_by_turning) {
+    return mirrored.surfaces.overlap() < kOverlapsLess * result.surfaces.overlap();
+  }
+  return mirrored.distinct_evidence < kClearlyWorse * result.distinct_evidence;
 }
 
 /// Of an object those at its own voxels come first, and the last of them turns it.
@@ -63,7 +64,7 @@ CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
   const FrontendSetting first = settings.front();
   Attempts attempts(source, target, frontend, options, deadline);
   std::vector<LimitHit> limits;
-  bool is_mirror_seen = !refines;
+  std::optional<FrontendSetting> mirrored_with;  // as which attempt the mirrored source was tried
   for (std::size_t k = 0; k < settings.size(); ++k) {
     // an attempt that cannot come to its pose would only take time
     const int count = attempts.count();
@@ -72,9 +73,12 @@ CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
       break;
     }
     if (!attempts.add(settings[k])) continue;
-    if (!is_mirror_seen && is_doubted_for_noise(attempts.best().result)) {
-      is_mirror_seen = true;
-      if (is_mirrored_worse(source, target, frontend, options, attempts, deadline)) {
+    if (refines && mirrored_with != attempts.best_setting() &&
+        awaits_mirrored(attempts.best().result)) {
+      mirrored_with = attempts.best_setting();
+      const auto mirrored =
+          frontend::register_mirrored(source, target, frontend, options, *mirrored_with, deadline);
+      if (mirrored && is_worse(*mirrored, attempts.best().result)) {
         attempts.know_mirrored_is_worse();
       }
     }
@@ -85,14 +89,16 @@ CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
     if (k == 0 && attempts.may_show_object()) put_object_first(settings, attempts.coarsening());
   }
   CloudResult result = attempts.settled();
-  if (refines && result.verdict != Verdict::Trusted) {
+  bool is_left_handed = result.mirrored_is_better;
+  if (refines && result.verdict != Verdict::Trusted && !is_left_handed) {
     const auto mirrored =
         frontend::register_mirrored(source, target, frontend, options, first, deadline);
-    if (mirrored && mirrored->verdict == Verdict::Trusted) {
-      result.notes.push_back(
-          "the mirrored source fits the target: one of the clouds is left-handed, negate one of "
-          "its coordinates");
-    }
+    is_left_handed = mirrored && mirrored->verdict == Verdict::Trusted;
+  }
+  if (is_left_handed) {
+    result.notes.push_back(
+        "the mirrored source fits the target: one of the clouds is left-handed, negate one of its "
+        "coordinates");
   }
   auto& limits_hit = result.registration.diagnostics.limits_hit;
   limits_hit.insert(limits_hit.end(), limits.begin(), limits.end());

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "frontend/cloud_pair.hpp"
+#include "frontend/points/range_image.hpp"
 
 namespace gmcr::frontend {
 namespace {
@@ -15,7 +16,8 @@ bool is_viewpoint_unknown(const PointsRef& points, const Eigen::Vector3d& viewpo
   constexpr double kFarthest = 5;  // extents
   if (!viewpoint.isZero(0) || points.cols() == 0) return false;
   const Eigen::Vector3d low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
-  return ((low + high) / 2).norm() > kFarthest * (high - low).norm();
+  return ((low + high) / 2).norm() > kFarthest * (high - low).norm() &&
+         !RangeImage(points, viewpoint).is_view();
 }
 
 std::vector<FrontendSetting> list_settings(const FrontendOptions& frontend, const Clouds& clouds) {

@@ -179,6 +179,7 @@ Json fields_of(const SurfaceFit& fit) {
   return {{"source_share", fit.source_share},
           {"target_share", fit.target_share},
           {"agreement", fit.agreement},
+          {"contradicted", fit.contradicted},
           {"noise", fit.noise},
           {"weak_directions", std::move(weak)}};
 }

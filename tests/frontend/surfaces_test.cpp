@@ -13,6 +13,7 @@
 
 #include "frontend/alignment/surface_fit.hpp"
 #include "frontend/cloud_notes.hpp"
+#include "frontend/judgement/free_space.hpp"
 #include "frontend/judgement/surface_judge.hpp"
 #include "frontend/judgement/verdict.hpp"
 #include "frontend/shapes.hpp"
@@ -160,12 +161,32 @@ TEST(Verdict, DoubtsWithoutMatchesWhatTurningFound) {
   EXPECT_EQ(verdict_on(3, 1, false), Verdict::Untrusted);
 }
 
+TEST(Verdict, TrustsWithoutMatchesWhatCoversAViewLikeNoOtherPoseAndNoMirrorImage) {
+  CloudResult turned = good_result();
+  turned.registration.inliers.resize(3);
+  turned.found_by_turning = true;
+  judge(turned);
+  EXPECT_EQ(turned.verdict, Verdict::Doubtful) << turned.verdict_reason;
+  EXPECT_TRUE(awaits_mirrored(turned));
+  turned.mirrored_is_worse = true;
+  judge(turned);
+  EXPECT_EQ(turned.verdict, Verdict::Trusted) << turned.verdict_reason;
+  turned.rivals = {{Similarity{}, 0.8}};
+  judge(turned);
+  EXPECT_EQ(turned.verdict, Verdict::Doubtful) << turned.verdict_reason;
+  turned.rivals.clear();
+  turned.surfaces.target_share = 0.6;
+  judge(turned);
+  EXPECT_EQ(turned.verdict, Verdict::Doubtful) << turned.verdict_reason;
+  EXPECT_FALSE(awaits_mirrored(turned));
+}
+
 TEST(Verdict, AllowsForTheNoiseOfASensorWhereTheMirroredSourceIsWorse) {
   CloudResult result = good_result();
   result.surfaces.noise = 0.022;
   judge(result);
   EXPECT_EQ(result.verdict, Verdict::Doubtful);
-  EXPECT_TRUE(is_doubted_for_noise(result));
+  EXPECT_TRUE(awaits_mirrored(result));
   result.mirrored_is_worse = true;
   judge(result);
   EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
@@ -173,24 +194,113 @@ TEST(Verdict, AllowsForTheNoiseOfASensorWhereTheMirroredSourceIsWorse) {
   judge(result);
   EXPECT_EQ(result.verdict, Verdict::Doubtful);
   result = good_result();
-  EXPECT_FALSE(is_doubted_for_noise(result));
+  EXPECT_FALSE(awaits_mirrored(result));
   result.surfaces.noise = 0.022;
   result.rivals = {{Similarity{}, 0.95}};
-  EXPECT_FALSE(is_doubted_for_noise(result));
+  EXPECT_FALSE(awaits_mirrored(result));
 }
 
-TEST(SurfaceJudge, TurnsThePoseByHalfAboutThreeAxes) {
+TEST(SurfaceJudge, TurnsThePoseByHalfAboutItsAxesAndThoseOfItsNormals) {
   const Points points = voxel_grid(bumpy_sphere(5000, 1), 0.1);
   const auto pair = std::make_shared<CentredPair>(points, some_motion().apply(points), 0.1, 0.1, 2);
   const Options options;
   const SurfaceJudge judge(pair, 0.1, options);
   const auto turned = judge.half_turns(some_motion());
-  ASSERT_EQ(turned.size(), 3u);
+  ASSERT_EQ(turned.size(), 6u);
   for (const Similarity& pose : turned) {
     EXPECT_NEAR(rotation_error_deg(pose.rotation, some_motion().rotation), 180, 1e-6);
     EXPECT_TRUE(judge.are_distinct(pose, some_motion()));
     EXPECT_FALSE(judge.are_distinct(pose, pose));
   }
+}
+
+const std::array<Vector3d, 3> kBack{Vector3d(-2, -2, 5), Vector3d(4, 0, 0), Vector3d(0, 4, 0)};
+const std::array<Vector3d, 3> kPlate{Vector3d(-0.5, -0.5, 3), Vector3d(1, 0, 0), Vector3d(0, 1, 0)};
+
+/// A wall 5 m before the sensor, and a plate 2 m before it, with what that hides left out.
+Points wall_and_plate(unsigned seed) {
+  const Points points = rectangles({kBack, kBack, kPlate}, seed);
+  std::vector<Index> seen;
+  for (Index i = 0; i < points.cols(); ++i) {
+    if (points(2, i) < 4 || points.col(i).head<2>().cwiseAbs().maxCoeff() > 0.85) seen.push_back(i);
+  }
+  return points(Eigen::all, seen);
+}
+
+TEST(FreeSpace, IsNotFilledByWhatTheOtherSensorShouldHaveSeen) {
+  const Points both = wall_and_plate(1), wall = rectangles({kBack, kBack}, 2);
+  const auto contradiction_of = [](const Points& source, const Points& target, bool knows_views) {
+    CentredPair pair(voxel_grid(source, 0.1), voxel_grid(target, 0.1), 0.1, 0.1, 2);
+    if (knows_views) {
+      pair.source_view = view_from(Vector3d::Zero(), source);
+      pair.target_view = view_from(Vector3d::Zero(), target);
+      EXPECT_TRUE(pair.source_view && pair.target_view);
+    }
+    return measure_contradiction(pair, {}, 0.1, 2500, 2);
+  };
+  EXPECT_GT(contradiction_of(both, wall, true), 0.03);
+  EXPECT_GT(contradiction_of(wall, both, true), 0.03);
+  EXPECT_EQ(contradiction_of(wall, wall, true), 0);
+  EXPECT_EQ(contradiction_of(both, wall_and_plate(3), true), 0);
+  EXPECT_EQ(contradiction_of(both, wall, false), 0);
+}
+
+TEST(Verdict, DoubtsWhatTheSensorsSawThroughUnlessMatchesAreBeyondDoubt) {
+  CloudResult result = good_result();
+  result.surfaces.contradicted = 0.05;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Doubtful);
+  EXPECT_NE(result.verdict_reason.find("5 % of a cloud lie where"), std::string::npos)
+      << result.verdict_reason;
+  result.distinct_evidence = 60;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
+  result.mirrored_is_better = true;
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Doubtful) << result.verdict_reason;
+}
+
+/// A room whose furniture stands along one wall, seen from `place`, in the frame of the sensor.
+Points room_from(const Vector3d& place, unsigned seed) {
+  const Vector3d x(6, 0, 0), y(0, 4, 0), z(0, 0, 2.5);
+  const Vector3d size(1.5, 0.8, 1.2), corner(0.5, 0, 0);
+  Points points =
+      rectangles({{Vector3d::Zero(), x, y},
+                  {Vector3d::Zero(), x, z},
+                  {Vector3d::Zero(), y, z},
+                  {y, x, z},
+                  {x, y, z},
+                  {corner + Vector3d(0, 0.8, 0), Vector3d(1.5, 0, 0), Vector3d(0, 0, 1.2)},
+                  {corner + Vector3d(0, 0, 1.2), Vector3d(1.5, 0, 0), Vector3d(0, 0.8, 0)},
+                  {corner + Vector3d(1.5, 0, 0), Vector3d(0, 0.8, 0), Vector3d(0, 0, 1.2)}},
+                 seed);
+  // what the cupboard hides: rays that enter its box before they end
+  std::vector<Index> seen;
+  for (Index i = 0; i < points.cols(); ++i) {
+    const Vector3d ray = points.col(i) - place;
+    const Eigen::Array3d a = (corner - place).array() / ray.array();
+    const Eigen::Array3d b = (corner + size - place).array() / ray.array();
+    const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
+    if (!(enter < leave && enter > 0 && enter < 0.98)) seen.push_back(i);
+  }
+  return points(Eigen::all, seen).colwise() - place;
+}
+
+TEST(RegisterClouds, DoesNotTrustARoomThatIsTurnedByHalf) {
+  const Vector3d from(2.5, 2.2, 1.3), to(3.4, 1.9, 1.2);
+  const Points source = room_from(from, 1), target = room_from(to, 2);
+  const CloudResult right = register_clouds(source, target);
+  EXPECT_LT(mean_point_error(right.registration.target_from_source,
+                             Similarity{1, Eigen::Matrix3d::Identity(), from - to}, source),
+            0.1);
+  EXPECT_LT(right.surfaces.contradicted, 0.01);
+  // about the upright axis through the middle of the room
+  Similarity half;
+  half.rotation = Eigen::Vector3d(-1, -1, 1).asDiagonal();
+  half.translation = Vector3d(6, 4, 0) - to - half.rotation * -from;
+  const CloudResult turned = refine_clouds(with_pose(right, half, {}), source, target);
+  EXPECT_NE(turned.verdict, Verdict::Trusted) << turned.verdict_reason;
+  EXPECT_GT(turned.surfaces.contradicted, 0.02);
 }
 
 /// A box without a top whose long sides have the same door every metre.
@@ -341,7 +451,7 @@ TEST(CloudNotes, NameUnitsAndSteps) {
     CloudScales from(a), to(b);
     CloudResult result;
     result.verdict = Verdict::Trusted;
-    result.matches.source_voxel_size = result.matches.target_voxel_size = 0.03;
+    result.voxels.source_voxel_size = result.voxels.target_voxel_size = 0.03;
     add_notes(result, from, to, {}, {}, {}, {});
     return result;
   };

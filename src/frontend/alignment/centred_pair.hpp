@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "frontend/alignment/surface_cloud.hpp"
+#include "frontend/points/range_image.hpp"
 #include "gmcr/similarity.hpp"
 
 namespace gmcr::frontend {
@@ -29,6 +30,7 @@ class CentredPair {
 
   /// Metres, the caller's frame.
   const Eigen::Vector3d& source_centre() const { return source_centre_; }
+  const Eigen::Vector3d& target_centre() const { return target_centre_; }
 
  private:
   struct Parts {
@@ -44,6 +46,8 @@ class CentredPair {
  public:
   SurfaceCloud& source;
   SurfaceCloud& target;
+  /// What the sensors saw, in the caller's frames; null where they were somewhere unknown.
+  std::shared_ptr<const RangeImage> source_view, target_view;
 };
 
 /// Mean of the points, summed from the first one: no digit is lost far from 0.

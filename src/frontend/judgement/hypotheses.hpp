@@ -17,6 +17,9 @@ class Hypotheses {
   Hypotheses(std::shared_ptr<CentredPair> pair, double voxel, const Options& options,
              const parallel::Deadline& deadline);
 
+  /// From here on no match speaks for a pose, and one that overlaps less is a rival of it too.
+  void expect_no_matches();
+
   /// The pose near one from elsewhere at which the surfaces meet best. Its half turns and those
   /// that were rivals before are looked at for `rivals_of`.
   Candidate approach(const Similarity& pose, const std::vector<RivalPose>& rivals);
@@ -40,8 +43,12 @@ class Hypotheses {
   /// Poses that were seen, distinct from this one, at which the surfaces meet better, best first.
   std::vector<Candidate> better_than(const Candidate& candidate) const;
 
-  /// Distinct poses at which the surfaces meet about as well, best first.
-  std::vector<RivalPose> rivals_of(const Candidate& candidate);
+  /// Distinct poses at which the surfaces meet about as well, or that matches speak for too and
+  /// nothing that the sensors saw contradicts, best first. What they saw through where a pose puts
+  /// a surface rules it out.
+  /// @param evidence  of the matches for a candidate.
+  std::vector<RivalPose> rivals_of(const Candidate& candidate,
+                                   const std::function<double(const Candidate&)>& evidence);
 
  private:
   /// The poses near `starts`, each of which is looked at closely only where it may be a rival of
@@ -51,6 +58,10 @@ class Hypotheses {
   SurfaceJudge judge_;
   const Options& options_;
   const parallel::Deadline& deadline_;
+  bool is_better(const Candidate& other, const Candidate& candidate) const;
+  bool is_ruled_out(const Candidate& other, const Candidate& candidate) const;
+
+  double as_good_;  ///< overlap over that of a pose with which another one is its rival
   std::vector<Candidate> seen_;
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "frontend/alignment/surface_fit.hpp"
+#include "frontend/judgement/free_space.hpp"
 #include "frontend/judgement/overlap.hpp"
 #include "frontend/judgement/verdict.hpp"
 #include "gmcr/registration.hpp"
@@ -33,6 +34,8 @@ void measure_fit(CloudResult& result, CentredPair& voxels, const Options& option
   result.overlap_rmse = forward.rmse;
   result.target_fitness = backward.fitness;
   result.surfaces = measure_surfaces(voxels, pose, radius, kSamples, options.num_threads);
+  result.surfaces.contradicted =
+      measure_contradiction(voxels, pose, radius, kSamples, options.num_threads);
 }
 
 /// The result with another pose, judged on these voxels.
@@ -99,6 +102,7 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   if (!voxels) throw std::invalid_argument("result: it has no clouds");
   const Similarity& own = result.registration.target_from_source;
   if (target_from_source.matrix() == own.matrix()) return result;
+  result.found_by_turning = false;
   return frontend::repose(std::move(result), target_from_source, *voxels, options);
 }
 

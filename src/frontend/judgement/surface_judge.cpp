@@ -7,7 +7,9 @@
 #include <numbers>
 #include <utility>
 
+#include "frontend/alignment/plane_pairs.hpp"
 #include "frontend/alignment/surface_fit.hpp"
+#include "frontend/judgement/free_space.hpp"
 #include "frontend/judgement/overlap.hpp"
 #include "geometry/angles.hpp"
 #include "geometry/elementary.hpp"
@@ -25,6 +27,7 @@ constexpr Index kFewestSamples = 200;
 constexpr double kLongStep = 0.5;   // voxels
 constexpr double kSymmetric = 1.5;  // voxels
 constexpr double kAlmostAll = 0.9;  // of the source
+constexpr double kStrays = 0.01;    // of the points, at either end
 
 }  // namespace
 
@@ -37,6 +40,27 @@ SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, cons
   axes_ = solver.eigenvectors();
   variances_ = solver.eigenvalues();
   centroid_ = pair_->source_centre();
+  find_facing();
+}
+
+/// The axes of the normals of some of the source, which are those of a room, and the middle of its
+/// extents, but for a few strays.
+void SurfaceJudge::find_facing() {
+  SurfaceCloud& source = pair_->source;
+  const Samples samples = sample_side(source, true, kFewSamples);
+  source.require_normals(samples.columns, options_.num_threads);
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const Index i : samples.columns) squares += source.normal(i) * source.normal(i).transpose();
+  facing_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares).eigenvectors();
+  const auto strays =
+      static_cast<std::size_t>(kStrays * static_cast<double>(samples.columns.size()));
+  middle_ = centroid_;
+  for (const auto axis : facing_.colwise()) {
+    std::vector<double> places;
+    for (const Index i : samples.columns) places.push_back(axis.dot(source.point(i)));
+    std::sort(places.begin(), places.end());
+    middle_ += axis * (places[strays] + places[places.size() - 1 - strays]) / 2;
+  }
 }
 
 Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& scale,
@@ -44,7 +68,10 @@ Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& sca
   const RefinedPose refined = refine_pose(*pair_, start, scale, options, deadline);
   const SurfaceFit fit = measure_surfaces(*pair_, refined.target_from_source, voxel_,
                                           scale.max_samples, options.num_threads);
-  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap()};
+  const double contradicted = measure_contradiction(*pair_, refined.target_from_source, voxel_,
+                                                    scale.max_samples, options.num_threads);
+  return {refined.target_from_source, refined.is_applied, refined.noise, fit.overlap(),
+          contradicted};
 }
 
 std::vector<Candidate> SurfaceJudge::look_at_all(const std::vector<Similarity>& starts,
@@ -85,14 +112,31 @@ std::vector<Candidate> SurfaceJudge::peek(const std::vector<Similarity>& starts,
 
 std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
   std::vector<Similarity> turned;
-  for (int axis = 0; axis < 3; ++axis) {
+  const auto add = [&](const Eigen::Vector3d& axis, const Eigen::Vector3d& centre) {
     Similarity turn;
-    turn.rotation = geometry::turn_about(axes_.col(axis).normalized(), std::numbers::pi);
-    turn.translation = centroid_ - turn.rotation * centroid_;
+    turn.rotation = geometry::turn_about(axis.normalized(), std::numbers::pi);
+    turn.translation = centre - turn.rotation * centre;
     const Similarity candidate = pose * turn;
     if (options_.admit(candidate)) turned.push_back(candidate);
-  }
+  };
+  for (const auto axis : axes_.colwise()) add(axis, centroid_);
+  for (const auto axis : facing_.colwise()) add(axis, middle_);
   return turned;
+}
+
+std::vector<Similarity> SurfaceJudge::reflections(const Similarity& pose) const {
+  const Eigen::Matrix3d mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal();
+  std::vector<Similarity> reflected;
+  const auto add = [&](const Eigen::Vector3d& axis, const Eigen::Vector3d& centre) {
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - 2 * axis * axis.transpose();
+    Similarity turn;
+    turn.rotation = across * mirror;
+    turn.translation = centre - across * centre;
+    reflected.push_back(pose * turn);
+  };
+  for (const auto axis : axes_.colwise()) add(axis, centroid_);
+  for (const auto axis : facing_.colwise()) add(axis, middle_);
+  return reflected;
 }
 
 bool SurfaceJudge::is_symmetry(const Similarity& a, const Similarity& b) {

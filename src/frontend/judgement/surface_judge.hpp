@@ -16,6 +16,7 @@ struct Candidate {
   bool is_refined = false;  ///< moved from where it started, since the surfaces meet better there
   double noise = 0;         ///< as in `RefinedPose`
   double overlap = 0;       ///< `SurfaceFit::overlap`
+  double contradicted = 0;  ///< as in `SurfaceFit`
 };
 
 /// Those of candidates, alternatives or rivals.
@@ -49,10 +50,18 @@ class SurfaceJudge {
   std::vector<Candidate> peek(const std::vector<Similarity>& starts,
                               const parallel::Deadline& deadline);
 
-  /// The pose turned by half about each principal axis of the source, through its centroid: how
-  /// symmetric parts, corridors and bare ground are mistaken for themselves. Those that the priors
-  /// admit.
+  /// The pose turned by half about each principal axis of the source, through its centroid, and
+  /// about each axis of its normals, through the middle of its extents along them: how
+  /// symmetric parts, corridors and bare ground, and rooms, are mistaken for themselves. Those that
+  /// the priors admit.
   std::vector<Similarity> half_turns(const Similarity& pose) const;
+
+  /// Poses of the mirrored source, its x negated, that put it where a reflection of the source lies
+  /// at a pose: across the axes of `half_turns`.
+  std::vector<Similarity> reflections(const Similarity& pose) const;
+
+  /// Whether both sensors are known, so that what they saw through tells poses apart.
+  bool knows_views() const { return pair_->source_view && pair_->target_view; }
 
   /// Whether the poses are apart by more than a refinement could bridge: RMS distance of the images
   /// of the source above so many voxels.
@@ -63,6 +72,7 @@ class SurfaceJudge {
   bool is_symmetry(const Similarity& a, const Similarity& b);
 
  private:
+  void find_facing();
   Candidate look(const Similarity& start, const RefinementScale& scale, const Options& options,
                  const parallel::Deadline& deadline);
   std::vector<Candidate> look_at_all(const std::vector<Similarity>& starts,
@@ -74,6 +84,8 @@ class SurfaceJudge {
   Eigen::Vector3d centroid_;   ///< of the source, metres
   Eigen::Matrix3d axes_;       ///< principal axes of the source, columns
   Eigen::Vector3d variances_;  ///< of the source along them, square metres
+  Eigen::Matrix3d facing_;     ///< axes of the normals of the source, columns
+  Eigen::Vector3d middle_;     ///< of the extents of the source along these, metres
   const Options& options_;
   Options alone_;  ///< the same for one thread, of those that look at many starts
 };

@@ -20,12 +20,19 @@ constexpr double kTrustedEvidence = 4.5;
 // Shares of a cloud that the other covers.
 constexpr double kLeastCoverage = 0.2;
 constexpr double kPlausibleCoverage = 0.5;
+// Share of a view that its object covers, of the poses from all around the one without rivals: at
+// least 0.67 in right ones, at most 0.61 in wrong ones.
+constexpr double kCoveredView = 0.64;
 // What meets in right poses has normals that agree to 0.6 and more, and lies within 0.158 voxels;
 // mirrored clouds, whose wrong poses have up to 85 inliers, lie 0.164 to 0.29 apart.
 constexpr double kLeastAgreement = 0.5;
 constexpr double kMostNoise = 0.16;
 // The same where the mirrored source was tried and is worse: noisy depth cameras leave up to 0.2.
 constexpr double kMostNoiseOfSensor = 0.25;
+// Of a cloud, what the other sensor saw through: 0.005 at most in right poses whose views are
+// known; wrong ones have 0.016 and more, with an evidence of up to 25.
+constexpr double kMostContradicted = 0.018;
+constexpr double kBeyondDoubt = 30;
 // Bare ground leaves three motions open, a corridor or an edge one.
 constexpr std::size_t kFewWeak = 1;
 
@@ -57,7 +64,7 @@ struct Opinion {
 };
 
 /// What the matches say.
-Opinion by_matches(const CloudResult& result) {
+Opinion by_matches(const CloudResult& result, bool mirrored_is_worse) {
   const bool all_matches = !result.matches.filtered;
   const bool are_pooled = result.matches.num_radii > 1;
   const Index least = are_pooled ? kTrustedPooled : kTrustedInliers;
@@ -74,7 +81,13 @@ Opinion by_matches(const CloudResult& result) {
     return {Verdict::Untrusted, count + " and " + meet + ", which chance explains"};
   }
   if (result.found_by_turning && num_inliers < least) {
-    return {Verdict::Doubtful, "found by its surface, not by matches: " + meet};
+    const double share = result.surfaces.target_share;
+    if (share < kCoveredView || !mirrored_is_worse) {
+      return {Verdict::Doubtful, "found by its surface, not by matches: " + meet};
+    }
+    return {Verdict::Trusted, "turned all around, the source covers " +
+                                  std::to_string(std::lround(100 * share)) +
+                                  " % of the target in this pose alone"};
   }
   if (all_matches || num_inliers < least || result.distinct_evidence < kTrustedEvidence ||
       coverage < kLeastCoverage) {
@@ -95,17 +108,31 @@ Opinion by_weak_directions(const CloudResult& result) {
 }
 
 /// How closely the surfaces meet.
-Opinion by_surfaces(const CloudResult& result) {
+Opinion by_surfaces(const CloudResult& result, bool mirrored_is_worse) {
   const SurfaceFit& fit = result.surfaces;
   if (fit.agreement < kLeastAgreement) {
     return {Verdict::Doubtful, "the normals of what meets agree in " +
                                    std::to_string(std::lround(100 * fit.agreement)) + " % alone"};
   }
-  const double most = result.mirrored_is_worse ? kMostNoiseOfSensor : kMostNoise;
+  const double most = mirrored_is_worse ? kMostNoiseOfSensor : kMostNoise;
   if (fit.noise > most * result.voxels.target_voxel_size) {
     return {Verdict::Doubtful, "the surfaces that meet lie apart"};
   }
   return {};
+}
+
+/// Whether one of the clouds is left-handed.
+Opinion by_handedness(const CloudResult& result) {
+  if (!result.mirrored_is_better) return {};
+  return {Verdict::Doubtful, "the mirrored source meets the target better"};
+}
+
+/// What the sensors saw.
+Opinion by_free_space(const CloudResult& result) {
+  const double share = result.surfaces.contradicted;
+  if (share <= kMostContradicted || result.distinct_evidence >= kBeyondDoubt) return {};
+  return {Verdict::Doubtful, std::to_string(std::lround(100 * share)) +
+                                 " % of a cloud lie where the other sensor saw through"};
 }
 
 /// Whether other poses do as well.
@@ -120,36 +147,36 @@ Opinion by_rivals(const CloudResult& result) {
               (are_symmetries ? ", where a symmetry of the source puts it" : "")};
 }
 
+Opinion opinion_on(const CloudResult& result, bool mirrored_is_worse) {
+  const Result& registration = result.registration;
+  if (registration.status != Status::Ok) {
+    const bool has_pose = registration.status == Status::Degenerate;
+    return {Verdict::Untrusted, (has_pose ? "the pose is one of many: " : "there is no pose: ") +
+                                    registration.status_reason};
+  }
+  Opinion all = by_matches(result, mirrored_is_worse);
+  for (const Opinion& opinion :
+       {by_weak_directions(result), by_rivals(result), by_handedness(result), by_free_space(result),
+        by_surfaces(result, mirrored_is_worse)}) {
+    if (opinion.verdict == Verdict::Trusted) continue;
+    all.verdict = std::max(all.verdict, opinion.verdict);
+    all.reason += "; " + opinion.reason;
+  }
+  return all;
+}
+
 }  // namespace
 
-bool is_doubted_for_noise(const CloudResult& result) {
-  if (result.registration.status != Status::Ok || result.mirrored_is_worse) return false;
-  const SurfaceFit& fit = result.surfaces;
-  const double voxel = result.voxels.target_voxel_size;
-  return fit.agreement >= kLeastAgreement && fit.noise > kMostNoise * voxel &&
-         fit.noise <= kMostNoiseOfSensor * voxel &&
-         by_matches(result).verdict == Verdict::Trusted &&
-         by_weak_directions(result).verdict == Verdict::Trusted &&
-         by_rivals(result).verdict == Verdict::Trusted;
+bool awaits_mirrored(const CloudResult& result) {
+  return result.registration.status == Status::Ok && !result.mirrored_is_worse &&
+         opinion_on(result, false).verdict == Verdict::Doubtful &&
+         opinion_on(result, true).verdict == Verdict::Trusted;
 }
 
 void judge(CloudResult& result) {
-  if (result.registration.status != Status::Ok) {
-    result.verdict = Verdict::Untrusted;
-    const bool has_pose = result.registration.status == Status::Degenerate;
-    result.verdict_reason = (has_pose ? "the pose is one of many: " : "there is no pose: ") +
-                            result.registration.status_reason;
-    return;
-  }
-  const Opinion matches = by_matches(result);
-  result.verdict = matches.verdict;
-  result.verdict_reason = matches.reason;
-  for (const Opinion& opinion :
-       {by_weak_directions(result), by_rivals(result), by_surfaces(result)}) {
-    if (opinion.verdict == Verdict::Trusted) continue;
-    result.verdict = std::max(result.verdict, opinion.verdict);
-    result.verdict_reason += "; " + opinion.reason;
-  }
+  const Opinion opinion = opinion_on(result, result.mirrored_is_worse);
+  result.verdict = opinion.verdict;
+  result.verdict_reason = opinion.reason;
 }
 
 }  // namespace gmcr::frontend

@@ -21,7 +21,7 @@ constexpr std::size_t kViewPoses = 6;
 constexpr double kCoarse = 3;           // voxels: edge of the coarse ones
 constexpr double kDistinct = 1.5;       // coarse voxels
 constexpr std::size_t kWorthMore = 32;  // poses that are followed to the end
-constexpr Index kMostVoxels = 4000;
+constexpr Index kMostVoxels = 16000;
 /// A grid that leaves more than this share of the points apart is finer than their spacing.
 constexpr double kSparseShare = 0.7;
 constexpr double kLargest = 1.25;  // extent of a view over that of the object
