@@ -18,6 +18,7 @@ KnownSurface mirrored(KnownSurface surface) {
 }  // namespace
 
 Features mirrored_features(const Features& features) {
+  if (features.size() == 0) return features;
   constexpr int kBins = kFpfhBins / 3;
   Features mirrored = features;
   mirrored.middleRows<kBins>(kBins) = features.middleRows<kBins>(kBins).colwise().reverse();

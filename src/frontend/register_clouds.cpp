@@ -22,13 +22,11 @@ using frontend::FrontendSetting;
 
 /// Evidence of the mirrored source over that of the source below which it is clearly worse.
 constexpr double kClearlyWorse = 0.5;
-/// The same of the overlap of an object that was turned, whose mirror image may be much like it.
-constexpr double kOverlapsLess = 0.985;
 
 /// Whether the mirrored source, matched or turned as in an attempt, speaks less for itself.
 bool is_worse(const CloudResult& mirrored, const CloudResult& result) {
   if (result.found_by_turning) {
-    return mirrored.surfaces.overlap() < kOverlapsLess * result.surfaces.overlap();
+    return mirrored.surfaces.overlap() < result.surfaces.overlap();
   }
   return mirrored.distinct_evidence < kClearlyWorse * result.distinct_evidence;
 }

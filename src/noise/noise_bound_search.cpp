@@ -232,12 +232,12 @@ void NoiseBoundSearch::choose() {
 }
 
 double NoiseBoundSearch::chosen_bound() const {
-  if (!choice_) return ladder().back();
+  if (!choice_) return std::min(ladder().back(), kLargestMagnitude);
   // a fit takes its parameters' share from the residuals of the points it was fitted to
   const double num_parameters = options_.scale_mode == ScaleMode::Known ? 6 : 7;
   const double num_residuals = 3 * static_cast<double>(choice_->count);
   const double widening = std::sqrt(num_residuals / (num_residuals - num_parameters));
-  return std::max(choice_->residual * widening * kBallFactor, rounding_);
+  return std::clamp(choice_->residual * widening * kBallFactor, rounding_, kLargestMagnitude);
 }
 
 NoiseEstimate NoiseBoundSearch::estimate() const {

@@ -41,18 +41,44 @@ std::vector<Index> distinct_correspondences(const PointsRef& source, const Point
   return kept;
 }
 
+/// Whether each point is not as far from the middle as marks of missing points are.
+std::vector<bool> are_near(const PointsRef& points) {
+  constexpr double kFarthest = 1e9;  // times the median distance
+  const Eigen::Vector3d middle = problem::median_point(points);
+  std::vector<double> distances;
+  for (const auto point : points.colwise()) distances.push_back((point - middle).stableNorm());
+  const double most = kFarthest * problem::median(distances);
+  std::vector<bool> near;
+  for (const double distance : distances) near.push_back(distance <= most || most == 0);
+  return near;
+}
+
+/// Of the correspondences those whose points are both near the others: far ones agree with anything
+/// to the last digit that they have.
+std::vector<Index> near_correspondences(const PointsRef& source, const PointsRef& target) {
+  const std::vector<bool> from = are_near(source), to = are_near(target);
+  std::vector<Index> near;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i] && to[i]) near.push_back(static_cast<Index>(i));
+  }
+  return near;
+}
+
 }  // namespace
 
 ChosenNoise choose_noise(const PointsRef& source, const PointsRef& target, const Options& options) {
-  const std::vector<Index> distinct = distinct_correspondences(source, target);
+  if (source.cols() == 0) return {};
+  const std::vector<Index> near = near_correspondences(source, target);
+  const Points near_source = source(Eigen::all, near), near_target = target(Eigen::all, near);
+  const std::vector<Index> distinct = distinct_correspondences(near_source, near_target);
   if (distinct.size() < 3) return {};
   if (options.admit_all()) {
     // before any work; priors may leave fewer
     problem::Run(options).require_memory_for_graph(std::min(source.cols(), problem::kLeastSample));
   }
   const parallel::Stopwatch clock;
-  const Points distinct_source = source(Eigen::all, distinct);
-  const Points distinct_target = target(Eigen::all, distinct);
+  const Points distinct_source = near_source(Eigen::all, distinct);
+  const Points distinct_target = near_target(Eigen::all, distinct);
   NoiseBoundSearch search(distinct_source, distinct_target, options);
   search.run();
   return {search.estimate(), clock.elapsed(), search.num_clique_nodes(), search.late(),

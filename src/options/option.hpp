@@ -47,7 +47,7 @@ inline constexpr Range kThreads{[](double v) { return v >= 0 && v <= 1024; }, "i
 /// pi itself may come rounded.
 inline constexpr Range kAngle{
     [](double v) { return v >= 0 && v <= std::numbers::pi + geometry::kAngleSlack; }, "in [0, pi]"};
-inline constexpr Range kDirection{[](double v) { return v > 0; }, "a finite vector other than 0"};
+inline constexpr Range kDirection{is_magnitude, "a vector of a length in [1e-50, 1e50]"};
 inline constexpr Range kFinite{[](double v) { return std::isfinite(v); }, "finite"};
 
 /// What is known of an option, but for its place.

@@ -62,6 +62,14 @@ std::vector<Judged> judge_all(const Problem& problem, const Found& found,
   return all;
 }
 
+/// The pose that was found, or the one that is returned where it holds more by either measure.
+const CallerHypothesis& most_held(const Judged& judged) {
+  const auto& [found, returned] = judged;
+  const bool is_more =
+      returned.num_inliers() >= found.num_inliers() && returned.evidence >= found.evidence;
+  return is_more ? returned : found;
+}
+
 /// Those of the others that share too little with any better one to be the same pose.
 std::vector<Alternative> distinct_alternatives(std::vector<Judged> judged) {
   std::vector<Alternative> alternatives;
@@ -146,7 +154,8 @@ Result judged_answer(const Problem& problem, const Found& found,
     return no_pose(Status::NoConsensus, no_pose_reason(problem, run), problem, found,
                    evidence_upper_bound);
   }
-  const auto& [held, returned] = judged.front();
+  const CallerHypothesis& returned = judged.front().returned;
+  const CallerHypothesis& held = most_held(judged.front());
   Result result;
   result.certificate =
       proof::certify(held.num_inliers(), found.upper_bound, held.evidence, evidence_upper_bound);

@@ -6,6 +6,8 @@
 
 #include "gmcr/registration.hpp"
 #include "noise/false_alarms.hpp"
+#include "problem/problem.hpp"
+#include "proof/certificate.hpp"
 
 namespace gmcr::registration {
 namespace {
@@ -57,6 +59,19 @@ bool has_magnitudes(const Options& options) {
              : std::all_of(options.noise_bounds.begin(), options.noise_bounds.end(), has_magnitude);
 }
 
+/// The certificate of the given bound, by the pose of the result where that holds more there.
+Certificate certificate_with(const Result& result, Certificate certificate) {
+  if (std::ssize(result.inliers) <= certificate.lower ||
+      result.evidence < certificate.evidence.lower) {
+    return certificate;
+  }
+  Certificate raised = proof::certify(std::ssize(result.inliers), certificate.upper,
+                                      result.evidence, certificate.evidence.upper);
+  raised.target_from_source = result.target_from_source;
+  raised.inliers = result.inliers;
+  return raised;
+}
+
 /// Adds what a further solve took.
 void add_work(Diagnostics& diagnostics, const Diagnostics& further) {
   constexpr const char* kStage = "other_bounds";
@@ -98,7 +113,10 @@ Result at_surest_bound(Result at_given, const PointsRef& source, const PointsRef
   }
   surest.diagnostics = std::move(work);
   if (where.empty()) return surest;
-  surest.certificate = std::move(at_given.certificate);
+  surest.certificate = certificate_with(surest, std::move(at_given.certificate));
+  if (std::ssize(surest.inliers) < problem::kMinInliers) {
+    surest.verdict = std::max(surest.verdict, Verdict::Doubtful);
+  }
   surest.verdict_reason +=
       "; that is at " + where + " the noise bound: at the bound itself chance explains what agrees";
   return surest;

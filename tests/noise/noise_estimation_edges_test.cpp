@@ -118,5 +118,19 @@ TEST(NoiseEstimation, DoesNotSeeAFewFarMatches) {
   EXPECT_GE(result.inliers.size(), 55u);
 }
 
+TEST(NoiseEstimation, DoesNotSeeThatFarMatchesAgreeToTheirLastDigit) {
+  for (const Index num_far : {8, 20}) {
+    auto problem = testing::random_problem(11, 40, 160);
+    problem.target.rightCols(num_far).setConstant(3.4028234663852886e38);
+    Options options;
+    options.noise_mode = NoiseMode::Estimated;
+    const Result result = register_correspondences(problem.source, problem.target, options);
+    ASSERT_TRUE(result.noise_estimate);
+    EXPECT_GT(result.noise_estimate->noise_bound, 1e-4);
+    EXPECT_LT(result.noise_estimate->noise_bound, 0.02);
+    EXPECT_GE(result.inliers.size(), 38u);
+  }
+}
+
 }  // namespace
 }  // namespace gmcr::noise

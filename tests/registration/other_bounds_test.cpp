@@ -52,6 +52,7 @@ TEST(OtherBounds, FindThePoseThatABoundFarOffHides) {
               .colwise()
               .norm();
       EXPECT_EQ(result.certificate.lower, (held <= bound).count());
+      EXPECT_TRUE(result.inliers.size() >= 3 || result.verdict != Verdict::Trusted);
     }
   }
   EXPECT_GE(num_found, 37);

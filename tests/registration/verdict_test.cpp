@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "geometry/angles.hpp"
 #include "problems.hpp"
 
 namespace gmcr::registration {
@@ -93,6 +94,57 @@ TEST(Verdict, OfOneThingSaidOftenIsNotTrusted) {
   const Result result = register_correspondences(source, source, options);
   EXPECT_EQ(result.inliers.size(), 300u);
   EXPECT_NE(result.verdict, Verdict::Trusted) << result.verdict_reason;
+}
+
+TEST(Verdict, OfDistinctMatchesIsThatWithoutCopiesOfOthers) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const auto problem = random_problem(seed, 30, 33);
+    const Index num_copies = 100;
+    Points source(3, 30 + 3 * num_copies), target(3, source.cols());
+    source << problem.source.leftCols(30), problem.source.rightCols(3).replicate(1, num_copies);
+    target << problem.target.leftCols(30), problem.target.rightCols(3).replicate(1, num_copies);
+    const Result result = register_correspondences(source, target, problem.options());
+    EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
+  }
+}
+
+TEST(Verdict, DoesNotTrustNearestNeighboursOfCloudsThatLieApart) {
+  testing::RandomGeometry random(2);
+  int num_trusted = 0, num_named = 0;
+  for (int k = 0; k < 10; ++k) {
+    const Points source = random.in_cube(600);
+    // turned by a radian or two about an axis through the cloud
+    const Points cloud =
+        geometry::turn_about(random.unit(), random.uniform(1, 2)) * random.in_cube(600);
+    Points target(3, source.cols());
+    for (Index i = 0; i < source.cols(); ++i) {
+      Index nearest;
+      (cloud.colwise() - source.col(i)).colwise().squaredNorm().minCoeff(&nearest);
+      target.col(i) = cloud.col(nearest);
+    }
+    Options options;
+    options.noise_bound = 0.05;
+    const Result result = register_correspondences(source, target, options);
+    num_trusted += result.verdict == Verdict::Trusted;
+    num_named += says(result, "nearest neighbours under this pose");
+  }
+  EXPECT_EQ(num_trusted, 0);
+  EXPECT_GT(num_named, 5);
+}
+
+TEST(Verdict, OfAPoseWhoseRivalHasAsMuchEvidenceIsDoubtful) {
+  testing::RandomGeometry random(3);
+  const Points source = random.in_cube(80);
+  const Similarity one = random.similarity(1, 1, 1), other = random.similarity(1, 1, 1);
+  Points target(3, 80);
+  target << one.apply(source.leftCols(40)), other.apply(source.rightCols(40));
+  Options options;
+  options.noise_bound = 0.01;
+  options.num_hypotheses = 2;
+  const Result result = register_correspondences(source, target, options);
+  EXPECT_GT(result.runner_up_ratio(), 0.9);
+  EXPECT_EQ(result.verdict, Verdict::Doubtful) << result.verdict_reason;
+  EXPECT_TRUE(says(result, "ambiguous"));
 }
 
 TEST(Verdict, WithoutAPoseSaysWhy) {

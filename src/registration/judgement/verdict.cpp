@@ -1,7 +1,9 @@
 #include "registration/judgement/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,13 @@ constexpr double kTrustedEvidence = 4.5;
 // More correspondences than that are judged by a selection.
 constexpr Index kMostJudged = 20'000;
 constexpr Index kMostJudgedInHurry = 2000;
+// Evidence of another pose over that of the pose, above which it may be meant as well.
+constexpr double kAsGood = 0.9;
+// Matches that were made under the pose agree with it by that: of the others, the share whose
+// target is one of the nearest to their source there. Of matches by features it is a few per cent.
+constexpr double kMadeUnderPose = 0.5;
+// Evidence of a match below which some may be copies of others, digit by digit.
+constexpr double kManyCopies = 0.5;
 // A reflection that holds more than the pose by this much is what the data are of.
 constexpr double kReflected = 1.0 / 0.7;
 
@@ -54,6 +63,38 @@ struct Selection {
 /// Number of lengths between so many points.
 int num_lengths(Index num_points) { return static_cast<int>(num_points * (num_points - 1) / 2); }
 
+/// How many of the matches are no copy of another one.
+double num_single(const problem::CallerCorrespondences& all, const std::vector<Index>& matches) {
+  std::set<std::array<double, 6>> single;
+  for (const Index i : matches) {
+    const auto a = all.source.col(i), b = all.target.col(i);
+    single.insert({a[0], a[1], a[2], b[0], b[1], b[2]});
+  }
+  return static_cast<double>(single.size());
+}
+
+/// Of an even selection of matches, the share whose target is one of the three nearest to where the
+/// pose puts their source.
+double nearest_share(const Similarity& pose, const PointsRef& source, const PointsRef& target,
+                     const std::vector<Index>& matches) {
+  constexpr Index kLooks = 32;
+  constexpr int kNearer = 3;
+  const auto count = std::ssize(matches);
+  double num_nearest = 0;
+  const std::vector<Index> chosen = problem::stratified_selection(count, kLooks);
+  for (const Index k : chosen) {
+    const Index i = matches[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d image = pose * source.col(i);
+    const double own = (target.col(i) - image).squaredNorm();
+    int num_nearer = 0;
+    for (Index j = 0; j < target.cols() && num_nearer < kNearer; ++j) {
+      num_nearer += (target.col(j) - image).squaredNorm() < own;
+    }
+    num_nearest += num_nearer < kNearer;
+  }
+  return num_nearest / static_cast<double>(chosen.size());
+}
+
 /// What is known of a consensus set, and the odds of chance for sets of its pose.
 class Odds {
  public:
@@ -72,8 +113,15 @@ class Odds {
     const auto measure = [&](const auto& objective) {
       distinct_inliers_ = objective.evidence_of(selection_.inliers, scale);
       if (selection_.others.empty()) return;
-      distinct_share_ = objective.evidence_of(selection_.others, scale) /
-                        static_cast<double>(selection_.others.size());
+      const double evidence = objective.evidence_of(selection_.others, scale);
+      num_others_ = static_cast<double>(selection_.others.size());
+      if (evidence < kManyCopies * num_others_) {
+        // matches that were given several times are one each, and tell nothing of the others
+        const auto inliers = static_cast<double>(selection_.inliers.size());
+        num_others_ = num_single(judged, selection_.others);
+        if (inliers > 0) single_inliers_ = num_single(judged, selection_.inliers) / inliers;
+      }
+      distinct_share_ = evidence / num_others_;
     };
     if (is_all && options.evidence == Evidence::Distinct && !problem.is_sampled() &&
         problem.size() == problem.input().size()) {
@@ -88,17 +136,31 @@ class Odds {
 
   /// log10 for a set of so many of all correspondences.
   double log10_false_alarms(Index num_inliers) const {
-    const auto count = static_cast<double>(selection_.inliers.size() + selection_.others.size());
-    return noise::log10_false_alarms(share_ * static_cast<double>(num_inliers) * distinct_share_,
-                                     count * distinct_share_, sample_size_, num_lengths_, chance_);
+    return noise::log10_false_alarms(
+        share_ * static_cast<double>(num_inliers) * single_inliers_ * distinct_share_,
+        (single_inliers_ * static_cast<double>(selection_.inliers.size()) + num_others_) *
+            distinct_share_,
+        sample_size_, num_lengths_, chance_);
   }
 
   double distinct_inliers() const { return distinct_inliers_; }
+
+  /// Whether the matches are nearest neighbours under the pose.
+  bool are_made_under(const Similarity& pose, const PointsRef& source,
+                      const PointsRef& target) const {
+    constexpr double kFewest = 20;
+    if (num_others_ < kFewest) return false;
+    const bool is_all = selection_.source.cols() == 0;
+    return nearest_share(pose, is_all ? source : PointsRef(selection_.source),
+                         is_all ? target : PointsRef(selection_.target),
+                         selection_.others) > kMadeUnderPose;
+  }
 
  private:
   Selection selection_;
   int sample_size_, num_lengths_;
   double share_ = 1, distinct_inliers_ = 0, distinct_share_ = 1;
+  double num_others_ = 0, single_inliers_ = 1;  ///< without the copies of each
   noise::Chance chance_;
 };
 
@@ -139,6 +201,11 @@ std::string units_hint(const PointsRef& source, const PointsRef& target, const O
   return units.empty() ? "" : "; by their sizes " + units;
 }
 
+bool is_ambiguous(const Result& result) {
+  return !result.alternatives.empty() &&
+         result.alternatives.front().evidence >= kAsGood * result.evidence;
+}
+
 }  // namespace
 
 void judge(Result& result, const Problem& problem, problem::Run& run) {
@@ -174,6 +241,14 @@ void judge(Result& result, const Problem& problem, problem::Run& run) {
     result.verdict_reason = std::to_string(num_inliers) + " matches agree, worth " +
                             with_one_digit(odds.distinct_inliers()) +
                             " distinct ones: too few to be sure";
+  } else if (is_ambiguous(result)) {
+    result.verdict = Verdict::Doubtful;
+    result.verdict_reason = "ambiguous: another pose has as much evidence";
+  } else if (odds.are_made_under(result.target_from_source, problem.input().source,
+                                 problem.input().target)) {
+    result.verdict = Verdict::Untrusted;
+    result.verdict_reason =
+        "the matches are nearest neighbours under this pose: they agree because they were made so";
   } else {
     result.verdict = Verdict::Trusted;
     result.verdict_reason = in_words(result.log10_false_alarms);
