@@ -78,15 +78,13 @@ std::string ignored_columns(const io::TableShape& shape, const std::vector<std::
   return text.empty() ? "" : "not used: column " + text;
 }
 
+/// Of seven columns without names the first may be a number of the match, and the last no bound.
 void refuse_index_column(const io::TableShape& shape) {
-  constexpr std::size_t kFewRows = 4;
-  if (shape.num_rows < kFewRows || !shape.columns[0].is_integer || !shape.columns[0].counts_rows) {
-    return;
-  }
-  throw std::invalid_argument(
-      "the first of " + std::to_string(shape.num_columns) +
-      " columns counts the rows, so the others may be shifted: put a header before them, such as "
-      "index,ax,ay,az,bx,by,bz");
+  if (shape.num_columns != kNumColumnsWithBound || !io::may_number_rows(shape)) return;
+  const std::string what = shape.columns[0].counts_rows ? "counts the rows" : "may number the rows";
+  throw std::invalid_argument("the first of 7 columns " + what +
+                              ", so the others may be shifted: put a header before them, such as "
+                              "index,ax,ay,az,bx,by,bz or ax,ay,az,bx,by,bz,noise_bound");
 }
 
 /// The columns of the end points, then that of the bound where there is one.
@@ -127,6 +125,11 @@ Rows read_rows(const std::filesystem::path& path) {
   if (!is_text) {
     Rows rows{{io::parse_npy(path, bytes, {kNumColumns, kNumColumnsWithBound}), {}, {}}, false};
     rows.has_unnamed_bounds = rows.table.values.rows() == kNumColumnsWithBound;
+    try {
+      refuse_index_column(io::shape_of(rows.table.values));
+    } catch (const std::invalid_argument& error) {
+      throw IoError(path, 0, error.what());
+    }
     return rows;
   }
   bool is_unnamed = false;
@@ -161,7 +164,7 @@ void check_unnamed_bounds(const std::filesystem::path& path, io::Table& table) {
     throw IoError(path, 0,
                   "the 7th column has no name and goes from " + shown(low) + " to " + shown(high) +
                       ": noise bounds in metres, or scores? Name it in a header, "
-                      "ax,ay,az,bx,by,bz,noise_bound or ...,score, or leave it out");
+                      "ax,ay,az,bx,by,bz,noise_bound or ...,score");
   }
   table.notes.push_back("the 7th column, " + shown(low) + " to " + shown(high) +
                         ", is taken for noise bounds in metres");

@@ -119,6 +119,36 @@ TEST(ReadMatches, RefusesAFirstColumnThatCountsTheRows) {
   expect_refused(folder.write("a.csv", text), 1, "counts the rows");
 }
 
+TEST(ReadMatches, RefusesAFirstColumnOfSevenThatMayNumberTheRows) {
+  const TemporaryFolder folder;
+  const std::string others = ",0.5,1.5,2.5,3.5,4.5,5.5\n";
+  for (const std::vector<const char*>& numbers :
+       std::vector<std::vector<const char*>>{{"101", "102", "104", "105"},  // gaps
+                                             {"7", "3", "9", "1"},          // shuffled
+                                             {"20.000", "10.000", "30.000"}}) {
+    std::string text;
+    Eigen::MatrixXd rows(7, static_cast<Index>(numbers.size()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      text += numbers[i] + others;
+      rows.col(static_cast<Index>(i)) << std::stod(numbers[i]), 0.5, 1.5, 2.5, 3.5, 4.5, 5.5;
+    }
+    expect_refused(folder.write("a.csv", text), 1, "the others may be shifted");
+    write_matches(folder / "a.npy", rows.topRows<3>(), rows.middleRows<3>(3),
+                  std::vector<double>(numbers.size(), 5.5));
+    expect_refused(folder / "a.npy", 0, "the others may be shifted");
+    EXPECT_EQ(read_matches(folder.write("b.csv", "id,ax,ay,az,bx,by,bz\n" + text)).source(0, 0),
+              0.5);
+  }
+}
+
+TEST(ReadMatches, TakesAFirstCoordinateInWholeMetresForOne) {
+  const TemporaryFolder folder;
+  for (const char* text : {"1,2,3,4,5,6,7\n1,5,3,4,5,6,7\n1,2,9,4,5,6,7\n",
+                           "1.0,2.5,3,4,5,6,7\n1.0,5,3,4,5,6,7\n1.0,2,9,4,5,6,7\n"}) {
+    EXPECT_EQ(read_matches(folder.write("a.csv", text)).noise_bounds.size(), 3U) << text;
+  }
+}
+
 TEST(ReadMatches, RefusesABoundThatIsNotPositiveAndFinite) {
   const TemporaryFolder folder;
   for (const char* bound : {"0", "-1", "nan", "inf"}) {

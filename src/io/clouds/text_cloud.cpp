@@ -55,15 +55,13 @@ ColumnChoice choose_named(const TableShape& shape) {
 
 /// Whether a first column looks like a number or a time of the point instead of its x.
 bool may_be_index(const TableShape& shape) {
-  constexpr std::size_t kFewRows = 3;
   constexpr std::size_t kManyRows = 20;
   const auto& columns = shape.columns;
-  if (shape.num_columns < 4 || shape.num_rows < kFewRows || !columns[3].is_numeric) return false;
-  if (columns[0].is_integer && columns[0].counts_rows) return true;
+  if (shape.num_columns < 4 || !columns[3].is_numeric) return false;
+  if (may_number_rows(shape)) return true;
   const bool others_are_real =
       std::none_of(columns.begin() + 1, columns.begin() + 4,
                    [](const ColumnFacts& facts) { return facts.is_integer; });
-  if (columns[0].is_integer && others_are_real) return true;
   return columns[0].is_increasing && others_are_real && shape.num_rows >= kManyRows;
 }
 

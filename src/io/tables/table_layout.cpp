@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "gmcr/io.hpp"
 #include "io/tables/text.hpp"
@@ -153,34 +154,44 @@ void set_names(const Sample& sample, TableLayout& layout) {
 
 bool is_integer_text(std::string_view cell) { return parse_index(cell).has_value(); }
 
-void note_cell(std::string_view cell, double before, bool is_first, const TableLayout& layout,
-               ColumnFacts& facts) {
-  const auto value = parse_cell(cell, layout.decimal);
-  if (!value) {
-    const bool missing = is_missing(cell);
-    facts = {facts.is_numeric && missing, false, false, false};
-    return;
+/// What the numbers of a column say; cells that say that there is none are left out.
+class ColumnReader {
+ public:
+  void add(std::string_view cell, char decimal) {
+    const auto value = parse_cell(cell, decimal);
+    if (value) return add(*value, is_integer_text(cell));
+    if (!is_missing(cell)) facts_ = {false, false, false, false, false};
   }
-  facts.is_integer = facts.is_integer && is_integer_text(cell);
-  if (!is_first) {
-    facts.is_increasing = facts.is_increasing && *value > before;
-    facts.counts_rows = facts.counts_rows && *value == before + 1;
+
+  void add(double value, bool is_integer) {
+    facts_.is_integer = facts_.is_integer && is_integer;
+    facts_.is_distinct =
+        facts_.is_distinct && value == std::floor(value) && known_.insert(value).second;
+    if (before_) {
+      facts_.is_increasing = facts_.is_increasing && value > *before_;
+      facts_.counts_rows = facts_.counts_rows && value == *before_ + 1;
+    }
+    before_ = value;
   }
-}
+
+  const ColumnFacts& facts() const { return facts_; }
+
+ private:
+  ColumnFacts facts_;
+  std::optional<double> before_;
+  std::set<double> known_;
+};
 
 void set_facts(const std::vector<std::string_view>& rows, TableLayout& layout) {
   TableShape& shape = layout.shape;
-  shape.columns.resize(shape.num_columns);
-  std::vector<double> before(shape.num_columns);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto cells = split_row(rows[i], layout);
-    if (cells.size() != shape.num_columns) return;  // an error, which names its line
-    for (std::size_t j = 0; j < cells.size(); ++j) {
-      note_cell(cells[j], before[j], i == 0, layout, shape.columns[j]);
-      before[j] = parse_cell(cells[j], layout.decimal).value_or(std::nan(""));
-    }
+  std::vector<ColumnReader> columns(shape.num_columns);
+  for (const std::string_view row : rows) {
+    const auto cells = split_row(row, layout);
+    if (cells.size() != shape.num_columns) break;  // an error, which names its line
+    for (std::size_t j = 0; j < cells.size(); ++j) columns[j].add(cells[j], layout.decimal);
     ++shape.num_rows;
   }
+  for (const ColumnReader& column : columns) shape.columns.push_back(column.facts());
 }
 
 /// "1,5,2,25,3,75" may be three numbers with decimal commas or six integers.
@@ -203,6 +214,30 @@ bool may_be_decimal_commas(const std::vector<std::string_view>& rows, const Tabl
 }
 
 }  // namespace
+
+bool may_number_rows(const TableShape& shape) {
+  constexpr std::size_t kFewRows = 3;
+  const auto& columns = shape.columns;
+  if (shape.num_columns < 4 || shape.num_rows < kFewRows) return false;
+  if (columns[0].is_integer && columns[0].counts_rows) return true;
+  if (!columns[0].is_integer && !columns[0].is_distinct) return false;
+  return std::none_of(columns.begin() + 1, columns.begin() + 4,
+                      [](const ColumnFacts& facts) { return facts.is_integer; });
+}
+
+TableShape shape_of(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  TableShape shape;
+  shape.num_columns = static_cast<std::size_t>(values.rows());
+  shape.num_rows = std::min(kSampledRows, static_cast<std::size_t>(values.cols()));
+  for (Index j = 0; j < values.rows(); ++j) {
+    ColumnReader column;
+    for (Index i = 0; i < static_cast<Index>(shape.num_rows); ++i) {
+      column.add(values(j, i), values(j, i) == std::floor(values(j, i)));
+    }
+    shape.columns.push_back(column.facts());
+  }
+  return shape;
+}
 
 bool is_content(std::string_view line) {
   const std::string_view content = trim(line);

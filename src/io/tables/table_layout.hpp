@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct TableRules {
 struct ColumnFacts {
   bool is_numeric = true;     ///< every cell is a number
   bool is_integer = true;     ///< every cell is an integer, written as one
+  bool is_distinct = true;    ///< every cell is a whole number, however written, and no two are one
   bool is_increasing = true;  ///< strictly
   bool counts_rows = true;    ///< each number is the one before plus one
 };
@@ -56,6 +58,13 @@ TableLayout find_layout(const std::filesystem::path& path, std::string_view text
 
 /// The cells of a row, without a comment at its end.
 std::vector<std::string_view> split_row(std::string_view line, const TableLayout& layout);
+
+/// Whether the first of several columns may be a number of the row instead of a coordinate: whole
+/// numbers that count the rows, or beside three columns that are none.
+bool may_number_rows(const TableShape& shape);
+
+/// What `find_layout` says of a text, of an array without names: column x row.
+TableShape shape_of(const Eigen::Ref<const Eigen::MatrixXd>& values);
 
 /// Whether a line is neither blank nor a comment.
 bool is_content(std::string_view line);
