@@ -121,11 +121,12 @@ void write_text(const std::filesystem::path& path, std::string_view text);
 /// A table without a header has exactly 6 or 7 columns: source x, y, z, target x, y, z and, if
 /// there is one, the noise bound of the correspondence, metres, > 0. A seventh column without a
 /// name that may as well be a score (ten rows or more, all in [0, 1] and one above 0.5, or one
-/// above a tenth of the extent) is refused, and so is a first column that counts the rows. A header
-/// may name the columns ax..bz, sx..tz, x1..z2, source_x..target_z or src_x..dst_z and noise_bound
-/// (also bound or beta), in any case and order and among others, which are ignored with a note; a
-/// header with other names needs exactly 6 columns beside the noise bound and columns named score,
-/// weight or the like.
+/// above a tenth of the extent) is refused, and so are seven columns whose first may number the
+/// matches (three rows or more of different whole numbers, beside columns of others). A header may
+/// name the columns ax..bz, sx..tz, x1..z2, fixed_x..moving_z or the like and noise_bound (also
+/// bound or beta), in any case and order and among others, which are ignored with a note; a header
+/// with other names needs exactly 6 columns beside the noise bound and columns named score, weight
+/// or the like, and a note says which are the source.
 /// @throws IoError as `read_cloud`, and where a value is not finite or a bound not positive, since
 ///   a row cannot be dropped without renumbering the others.
 Matches read_matches(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 #include "gmcr/io.hpp"
 #include "io/clouds/npy.hpp"
 #include "io/file.hpp"
+#include "io/tables/column_names.hpp"
 #include "io/tables/table.hpp"
 #include "io/tables/text.hpp"
 
@@ -20,13 +21,6 @@ constexpr Index kNumColumnsWithBound = 7;
 constexpr std::string_view kWrittenHeader = "ax,ay,az,bx,by,bz";
 constexpr std::string_view kWrittenBoundName = ",noise_bound";
 
-const std::array<std::vector<std::string>, 5> kKnownNames = {{
-    {"ax", "ay", "az", "bx", "by", "bz"},
-    {"sx", "sy", "sz", "tx", "ty", "tz"},
-    {"x1", "y1", "z1", "x2", "y2", "z2"},
-    {"source_x", "source_y", "source_z", "target_x", "target_y", "target_z"},
-    {"src_x", "src_y", "src_z", "dst_x", "dst_y", "dst_z"},
-}};
 const std::array<std::string, 3> kBoundNames = {"noise_bound", "bound", "beta"};
 /// What a column beside the end points may be called that says how good a match is, in no unit.
 const std::array<std::string, 8> kScoreNames = {
@@ -68,14 +62,34 @@ std::vector<std::size_t> columns_in_order(const io::TableShape& shape,
   return columns;
 }
 
+std::vector<std::size_t> joined(const io::Axes& source, const io::Axes& target) {
+  std::vector<std::size_t> columns(source.begin(), source.end());
+  columns.insert(columns.end(), target.begin(), target.end());
+  return columns;
+}
+
+/// Source and target of a table whose names do not tell them apart: the first is the source.
+io::ColumnChoice unnamed_sides(const io::TableShape& shape, const std::optional<std::size_t>& bound,
+                               const std::vector<io::NamedPoint>& points) {
+  std::vector<std::size_t> columns = columns_in_order(shape, bound);
+  if (shape.names.empty()) return {columns, {}};
+  if (points.size() == 2) columns = joined(points[0].axes, points[1].axes);
+  return {
+      columns,
+      {"columns " + io::quoted_names(shape.names, {columns.begin(), columns.begin() + 3}) +
+       " are taken for the source, " +
+       io::quoted_names(shape.names, {columns.begin() + 3, columns.end()}) + " for the target"}};
+}
+
 /// A sentence about columns that are not used, or none.
-std::string ignored_columns(const io::TableShape& shape, const std::vector<std::size_t>& used) {
-  std::string text;
+std::vector<std::string> ignored_columns(const io::TableShape& shape,
+                                         const std::vector<std::size_t>& used) {
+  std::vector<std::size_t> ignored;
   for (std::size_t i = 0; i < shape.names.size(); ++i) {
-    if (std::find(used.begin(), used.end(), i) != used.end()) continue;
-    text += (text.empty() ? "" : ", ") + io::quoted(shape.names[i]);
+    if (std::find(used.begin(), used.end(), i) == used.end()) ignored.push_back(i);
   }
-  return text.empty() ? "" : "not used: column " + text;
+  if (ignored.empty()) return {};
+  return {"not used: column " + io::quoted_names(shape.names, ignored)};
 }
 
 /// Of seven columns without names the first may be a number of the match, and the last no bound.
@@ -94,14 +108,15 @@ io::ColumnChoice match_columns(const io::TableShape& shape) {
     refuse_index_column(shape);
     bound = kNumColumns;
   }
-  std::vector<std::size_t> columns;
-  for (const auto& names : kKnownNames) {
-    columns = io::find_columns(shape.names, names);
-    if (!columns.empty()) break;
+  const auto points = io::find_points(shape.names);
+  const auto match = io::find_match(points);
+  io::ColumnChoice choice = match ? io::ColumnChoice{joined(match->source, match->target), {}}
+                                  : unnamed_sides(shape, bound, points);
+  if (bound) choice.indices.push_back(*bound);
+  for (std::string& note : ignored_columns(shape, choice.indices)) {
+    choice.notes.push_back(std::move(note));
   }
-  if (columns.empty()) columns = columns_in_order(shape, bound);
-  if (bound) columns.push_back(*bound);
-  return {columns, ignored_columns(shape, columns)};
+  return choice;
 }
 
 void check_extension(const std::filesystem::path& path) {

@@ -14,7 +14,7 @@ io::ColumnChoice pose_columns(const io::TableShape& shape) {
     throw std::invalid_argument(std::to_string(shape.num_columns) +
                                 " columns, expected a 4 x 4 matrix");
   }
-  return {{0, 1, 2, 3}, ""};
+  return {{0, 1, 2, 3}, {}};
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ RC_GTEST_PROP(Matches, AreReadBackBitForBit, (std::vector<double> values)) {
     if (!std::isfinite(value)) value = -1e300;
   }
   values.resize(values.size() / 6 * 6);
+  // whole numbers in the first column of an .npy of seven may be those of the matches
+  if (!values.empty()) values[0] = 0.5;
   const auto count = static_cast<Index>(values.size()) / 6;
   const Points source = Eigen::Map<const Points>(values.data(), 3, count);
   const Points target = Eigen::Map<const Points>(values.data() + 3 * count, 3, count);
@@ -59,6 +61,59 @@ TEST(ReadMatches, FindsTheColumnsThatAHeaderNames) {
     EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
     EXPECT_TRUE(matches.noise_bounds.empty()) << text;
   }
+}
+
+TEST(ReadMatches, KnowsSourceAndTargetByWhatTheirColumnsAreCalledInAnyOrder) {
+  const TemporaryFolder folder;
+  for (const char* header :
+       {"x_2,y_2,z_2,x_1,y_1,z_1", "xt,yt,zt,xs,ys,zs", "q_x,q_y,q_z,p_x,p_y,p_z",
+        "to_x,to_y,to_z,from_x,from_y,from_z", "X1,Y1,Z1,X0,Y0,Z0", "x_b,y_b,z_b,x_a,y_a,z_a",
+        "ref_x,ref_y,ref_z,mov_x,mov_y,mov_z", "fixed.x,fixed.y,fixed.z,moving.x,moving.y,moving.z",
+        "X Dest,Y Dest,Z Dest,X Source,Y Source,Z Source", "tgt_x,tgt_y,tgt_z,src_x,src_y,src_z",
+        "kp1_x,kp1_y,kp1_z,kp0_x,kp0_y,kp0_z", "zTarget,yTarget,xTarget,zSource,ySource,xSource",
+        "N2 [m],E2 [m],H2 [m],N1 [m],E1 [m],H1 [m]"}) {
+    const bool is_zyx = header[0] == 'z';
+    const bool is_north_first = header[0] == 'N';
+    const std::string rows = is_zyx           ? "\n6,5,4,3,2,1\n"
+                             : is_north_first ? "\n5,4,6,2,1,3\n"
+                                              : "\n4,5,6,1,2,3\n";
+    const Matches matches = read_matches(folder.write("a.csv", header + rows));
+    EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << header;
+    EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << header;
+    EXPECT_TRUE(matches.notes.empty()) << header;
+  }
+}
+
+TEST(ReadMatches, TakesTheFirstSideForTheSourceWhereTheNamesDoNotTellAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string rows = "\n1,2,3,4,5,6\n";
+  for (const auto& [header, source] :
+       {std::pair{"model_x,model_y,model_z,scene_x,scene_y,scene_z", "'model_x', 'model_y'"},
+        {"x,y,z,x',y',z'", "'x', 'y', 'z'"},
+        {"x,y,z,x.1,y.1,z.1", "'x', 'y', 'z'"},
+        {"u,v,w,p,q,r", "'u', 'v', 'w'"}}) {
+    const Matches matches = read_matches(folder.write("a.csv", header + rows));
+    EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << header;
+    EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << header;
+    ASSERT_EQ(matches.notes.size(), 1U) << header;
+    EXPECT_TRUE(matches.notes[0].starts_with("columns " + std::string(source))) << header;
+    EXPECT_NE(matches.notes[0].find("taken for the source"), std::string::npos) << header;
+  }
+  const Matches turned =
+      read_matches(folder.write("a.csv", "z_cad,y_cad,x_cad,x_scan,y_scan,z_scan\n3,2,1,4,5,6\n"));
+  EXPECT_EQ(turned.source, (Points{{1}, {2}, {3}}));
+}
+
+TEST(ReadMatches, RefusesNamesOfWhichTwoAreOneCoordinate) {
+  const TemporaryFolder folder;
+  for (const char* header : {"ax,ay,az,ax,ay,az", "x,y,z,X,Y,Z"}) {
+    expect_refused(folder.write("a.csv", std::string(header) + "\n1,2,3,4,5,6\n"), 1,
+                   "are the same coordinate");
+  }
+  expect_refused(
+      folder.write("a.csv", "ax,ay,az,bx,by,bz,x1,y1,z1,x2,y2,z2\n1,2,3,4,5,6,1,2,3,4,5,6\n"), 1,
+      "several pairs of columns");
+  expect_refused(folder.write("a.csv", "px,py,pz,qx,qy,qz,qw\n1,2,3,0,0,0,1\n"), 1, "7 columns");
 }
 
 TEST(ReadMatches, FindsTheNoiseBoundOfEachCorrespondence) {
@@ -107,8 +162,8 @@ TEST(ReadMatches, LeavesScoresOutAndSaysSo) {
     EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << text;
     EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
     EXPECT_TRUE(matches.noise_bounds.empty()) << text;
-    ASSERT_EQ(matches.notes.size(), 1U) << text;
-    EXPECT_TRUE(matches.notes[0].starts_with("not used: column '")) << matches.notes[0];
+    ASSERT_FALSE(matches.notes.empty()) << text;
+    EXPECT_TRUE(matches.notes.back().starts_with("not used: column '")) << matches.notes.back();
   }
 }
 

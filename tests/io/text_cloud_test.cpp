@@ -39,6 +39,50 @@ TEST(TextCloud, IsReadByWhatItHoldsWhateverItsExtension) {
   }
 }
 
+TEST(TextCloud, KnowsCoordinatesByManyNames) {
+  const TemporaryFolder folder;
+  for (const char* header : {"i,Z,Y,X",
+                             "t_s,Z_m,Y_m,X_m",
+                             "i,Z/m,Y/m,X/m",
+                             "i,z_coord,y_coord,x_coord",
+                             "i,zcoord,ycoord,xcoord",
+                             "i,pose.position.z,pose.position.y,pose.position.x",
+                             "i,Z-Coordinate,Y-Coordinate,X-Coordinate",
+                             "i,Z Coord,Y Coord,X Coord",
+                             "i,.z,.y,.x",
+                             "i,Points_m_XYZ:2,Points_m_XYZ:1,Points_m_XYZ:0",
+                             "i,XYZ[2],XYZ[1],XYZ[0]",
+                             "i,Z_UTM,Y_UTM,X_UTM",
+                             "i,pz,py,px",
+                             "id,U,N,E",
+                             "Nr,H,N,E",
+                             "i,Z,N,E",
+                             "i,H\xC3\xB6he,Hochwert,Rechtswert",
+                             "i,H\xF6he,Hochwert,Rechtswert",
+                             "i,Height (m),Northing (m),Easting (m)",
+                             "z_local,z,y,x"}) {
+    const std::string text = header + std::string("\n9,-3,2.5,1.5\n9,6,5.25,4.5\n");
+    EXPECT_EQ(read_cloud(folder.write("a.csv", text)).points, kTwoOfText) << header;
+  }
+  for (const char* header : {"N,E,Z", "Hochwert;Rechtswert;H\xC3\xB6he", "y1 x1 z1"}) {
+    const std::string text = header + std::string("\n2.5 1.5 -3\n5.25 4.5 6\n");
+    const Cloud cloud = read_cloud(folder.write("a.txt", text));
+    EXPECT_EQ(cloud.points, kTwoOfText) << header;
+    ASSERT_EQ(cloud.notes.size(), 1U) << header;
+    EXPECT_TRUE(cloud.notes[0].starts_with("x, y, z are the columns")) << cloud.notes[0];
+  }
+}
+
+TEST(TextCloud, ThatNamesSomeCoordinatesOnlyIsRefused) {
+  const TemporaryFolder folder;
+  for (const char* header : {"x,y,intensity", "x,y,range", "t,x,y", "E,N,v", "x1,y1,i"}) {
+    const auto path = folder.write("a.csv", header + std::string("\n1,2,3.5\n"));
+    test::expect_io_error([&] { read_cloud(path); }, path, 1, "do not name all of x, y and z");
+  }
+  const auto path = folder.write("a.csv", "x,y,z,X,Y,Z\n1,2,3,4,5,6.5\n");
+  test::expect_io_error([&] { read_cloud(path); }, path, 1, "are the same coordinate");
+}
+
 TEST(TextCloud, TakesTheFirstThreeOfMoreColumnsAndSaysSo) {
   const TemporaryFolder folder;
   const Cloud cloud = read_cloud(folder.write("a.pts", "1.5 2.5 -3 9 1 1 1\n4.5 5.25 6 9 1 1 1\n"));

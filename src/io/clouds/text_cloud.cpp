@@ -2,55 +2,34 @@
 #include <stdexcept>
 
 #include "io/clouds/cloud_file.hpp"
+#include "io/tables/column_names.hpp"
 #include "io/tables/table.hpp"
 #include "io/tables/text.hpp"
 
 namespace gmcr::io {
 namespace {
 
-const std::vector<std::vector<std::string>> kKnownNames = {
-    {"x", "y", "z"},
-    {"points:0", "points:1", "points:2"},
-    {"points_0", "points_1", "points_2"},
-    {"px", "py", "pz"},
-    {"pos_x", "pos_y", "pos_z"},
-    {"position_x", "position_y", "position_z"},
-    {"point_x", "point_y", "point_z"},
-    {"x_coordinate", "y_coordinate", "z_coordinate"},
-    {"east", "north", "elevation"},
-    {"east", "north", "height"},
-    {"east", "north", "up"},
-    {"easting", "northing", "elevation"},
-    {"easting", "northing", "height"},
-    {"easting", "northing", "altitude"},
-    {"e", "n", "h"},
-};
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
-  return text;
-}
-
 ColumnChoice choose_named(const TableShape& shape) {
-  for (const auto& names : kKnownNames) {
-    const auto columns = find_columns(shape.names, names);
-    if (columns.empty()) continue;
-    const bool is_plain = names == kKnownNames.front();
-    return {columns, is_plain ? "" : "x, y, z are the columns " + listed(names)};
+  if (const auto axes = find_cloud_point(shape.names)) {
+    const std::vector<std::size_t> columns(axes->begin(), axes->end());
+    const std::string names = quoted_names(shape.names, columns);
+    if (names == "'x', 'y', 'z'") return {columns, {}};
+    return {columns, {"x, y, z are the columns " + names}};
   }
+  const std::string names = "columns " + quoted_names(shape.names);
   for (const std::string& name : shape.names) {
     if (name.starts_with("lat") || name.starts_with("lon")) {
-      throw std::invalid_argument("columns " + listed(shape.names) +
-                                  ": degrees of latitude and longitude are no points");
+      throw std::invalid_argument(names + ": degrees of latitude and longitude are no points");
     }
   }
+  if (name_coordinates(shape.names)) {
+    throw std::invalid_argument(names + ": they do not name all of x, y and z");
+  }
   if (shape.num_columns != 3) {
-    throw std::invalid_argument(std::to_string(shape.num_columns) + " columns, " +
-                                listed(shape.names) +
+    throw std::invalid_argument(std::to_string(shape.num_columns) + " " + names +
                                 ": expected 3 or a header that names x, y and z");
   }
-  return {{0, 1, 2}, "columns " + listed(shape.names) + " are taken for x, y, z"};
+  return {{0, 1, 2}, {names + " are taken for x, y, z"}};
 }
 
 /// Whether a first column looks like a number or a time of the point instead of its x.
@@ -70,7 +49,7 @@ ColumnChoice choose_unnamed(const TableShape& shape, bool is_csv) {
     throw std::invalid_argument(std::to_string(shape.num_columns) +
                                 " columns, fewer than 3 columns: a point has x, y and z");
   }
-  if (shape.num_columns == 3) return {{0, 1, 2}, ""};
+  if (shape.num_columns == 3) return {{0, 1, 2}, {}};
   if (may_be_index(shape)) {
     throw std::invalid_argument(
         std::to_string(shape.num_columns) +
@@ -82,7 +61,7 @@ ColumnChoice choose_unnamed(const TableShape& shape, bool is_csv) {
                                 " columns, expected 3 or a header that names x, y and z");
   }
   return {{0, 1, 2},
-          "x, y, z are the first 3 of " + std::to_string(shape.num_columns) + " columns"};
+          {"x, y, z are the first 3 of " + std::to_string(shape.num_columns) + " columns"}};
 }
 
 }  // namespace

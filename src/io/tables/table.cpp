@@ -1,6 +1,7 @@
 #include "io/tables/table.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -62,7 +63,7 @@ class TableReader {
       ColumnChoice choice = choose(layout_.shape);
       columns_ = std::move(choice.indices);
       table_.notes = layout_.notes;
-      if (!choice.note.empty()) table_.notes.push_back(std::move(choice.note));
+      std::move(choice.notes.begin(), choice.notes.end(), std::back_inserter(table_.notes));
     } catch (const std::invalid_argument& error) {
       throw IoError(path_, layout_.first_line, error.what());
     }
@@ -156,15 +157,15 @@ std::string format_rows(const Eigen::Ref<const Eigen::MatrixXd>& values, char se
   return text;
 }
 
-std::vector<std::size_t> find_columns(const std::vector<std::string>& names,
-                                      const std::vector<std::string>& wanted) {
-  std::vector<std::size_t> columns;
-  for (const std::string& name : wanted) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return {};
-    columns.push_back(static_cast<std::size_t>(found - names.begin()));
-  }
-  return columns;
+std::string quoted_names(const std::vector<std::string>& names,
+                         const std::vector<std::size_t>& indices) {
+  std::string text;
+  const auto add = [&](const std::string& name) {
+    text += (text.empty() ? "'" : ", '") + name + "'";
+  };
+  for (const std::size_t i : indices) add(names[i]);
+  if (indices.empty()) std::for_each(names.begin(), names.end(), add);
+  return text;
 }
 
 }  // namespace gmcr::io

@@ -19,10 +19,10 @@ struct Table {
   std::vector<std::string> notes;  ///< what had to be decided, as sentences
 };
 
-/// Columns by index, and a sentence where they had to be guessed.
+/// Columns by index, and sentences where they had to be guessed.
 struct ColumnChoice {
   std::vector<std::size_t> indices;
-  std::string note;
+  std::vector<std::string> notes;
 };
 
 /// Picks columns; may throw std::invalid_argument with a reason.
@@ -39,8 +39,8 @@ Table parse_table(const std::filesystem::path& path, std::string_view text,
 std::string format_rows(const Eigen::Ref<const Eigen::MatrixXd>& values, char separator,
                         std::string_view header);
 
-/// Indices of `wanted` in `names`; empty where one is missing.
-std::vector<std::size_t> find_columns(const std::vector<std::string>& names,
-                                      const std::vector<std::string>& wanted);
+/// The names of columns between quotation marks, for messages; of all where there are no indices.
+std::string quoted_names(const std::vector<std::string>& names,
+                         const std::vector<std::size_t>& indices = {});
 
 }  // namespace gmcr::io

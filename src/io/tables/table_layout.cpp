@@ -44,7 +44,8 @@ std::string column_name(std::string_view cell) {
   }
   cell = without_comment_mark(cell);
   const std::size_t unit = cell.find_first_of("([");
-  if (unit != std::string_view::npos && unit > 0) cell = cell.substr(0, unit);
+  const bool is_index = cell.find_first_of("0123456789", unit) == unit + 1;  // XYZ[0]
+  if (unit != std::string_view::npos && unit > 0 && !is_index) cell = cell.substr(0, unit);
   return to_lower(trim(cell));
 }
 
@@ -236,6 +237,8 @@ TableShape shape_of(const Eigen::Ref<const Eigen::MatrixXd>& values) {
     }
     shape.columns.push_back(column.facts());
   }
+  // no one wrote them as integers, so a plane x = 0 is none of numbers
+  shape.columns[0].is_integer = shape.columns[0].is_distinct;
   return shape;
 }
 
