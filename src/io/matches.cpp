@@ -152,7 +152,9 @@ Rows read_rows(const std::filesystem::path& path) {
     is_unnamed = shape.names.empty() && shape.num_columns == kNumColumnsWithBound;
     return match_columns(shape);
   };
-  Rows rows{io::parse_table(path, bytes, choose), false};
+  Rows rows{io::parse_table(path, bytes, choose,
+                            {.row_name = "matches", .allows_counts = true, .allows_missing = true}),
+            false};
   rows.has_unnamed_bounds = is_unnamed;
   return rows;
 }

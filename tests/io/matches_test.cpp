@@ -55,7 +55,8 @@ TEST(ReadMatches, FindsTheColumnsThatAHeaderNames) {
         "i,j,sx,sy,sz,tx,ty,tz,pfh_distance\n7,8,1,2,3,4,5,6,nan\n",
         "bz;by;bx;az;ay;ax;name\n6;5;4;3;2;1;first\n",
         "source_x source_y source_z target_x target_y target_z\n1 2 3 4 5 6\n",
-        "SRC_X,SRC_Y,SRC_Z,DST_X,DST_Y,DST_Z\n1,2,3,4,5,6\n", "u,v,w,p,q,r\n1,2,3,4,5,6\n"}) {
+        "SRC_X,SRC_Y,SRC_Z,DST_X,DST_Y,DST_Z\n1,2,3,4,5,6\n", "u,v,w,p,q,r\n1,2,3,4,5,6\n",
+        "\"1\",\"2\",\"3\",\"4\",\"5\",\"6\"\n", "# bx by bz ax ay az\n4 5 6 1 2 3\n"}) {
     const Matches matches = read_matches(folder.write("a.csv", text));
     EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}})) << text;
     EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << text;
@@ -232,6 +233,29 @@ TEST(ReadMatches, NamesTheLineOfAnError) {
   expect_refused(folder.write("f.csv", "ax,ay,az,bx,by,bz\n\n1,2,3,4,5,6\n1,2,3,4,nan,6\n"), 4,
                  "row 1 (from 0): a value is not finite");
   expect_refused(folder.write("g.csv", "1,2,3,4,5,1e999\n"), 1, "'1e999'");
+}
+
+TEST(ReadMatches, RefusesARowWithoutNumbersByItsLineWhereverItIs) {
+  const TemporaryFolder folder;
+  const std::string header = "bx,by,bz,ax,ay,az\n";
+  const std::string row = "4,5,6,1,2,3.5\n";
+  for (const char* missing : {"NA,NA,NA,NA,NA,NA\n", "null,null,null,null,null,null\n",
+                              "None,None,None,None,None,None\n", "-,-,-,-,-,-\n", ",,,,,\n"}) {
+    expect_refused(folder.write("a.csv", header + missing + row), 2,
+                   "row 0 (from 0): a value is not finite");
+    expect_refused(folder.write("a.csv", header + row + missing + row), 3,
+                   "row 1 (from 0): a value is not finite");
+    expect_refused(folder.write("a.csv", missing + row), 1, "row 0 (from 0)");
+  }
+  const Matches matches = read_matches(folder.write("a.csv", header + "m,m,m,m,m,m\n" + row));
+  EXPECT_EQ(matches.source, (Points{{1}, {2}, {3.5}}));
+}
+
+TEST(ReadMatches, TakesALineOfOneIntegerForTheirNumber) {
+  const TemporaryFolder folder;
+  const std::string rows = "1 2 3 4 5 6\n7 8 9 10 11 12\n";
+  EXPECT_EQ(read_matches(folder.write("a.txt", "2\n" + rows)).source.cols(), 2);
+  expect_refused(folder.write("a.txt", "3\n" + rows), 0, "2 matches, the first line says 3");
 }
 
 TEST(ReadMatches, RefusesOtherFiles) {

@@ -32,6 +32,18 @@ TEST(TextCloud, IsReadByWhatItHoldsWhateverItsExtension) {
            "1.5D+00 2.5d0 -3.0D0\n4.5D0 5.25D0 6\n",  // Fortran
            "1.5 2.5 -3 # first\n4.5 5.25 6 # second\n",
            "x;y;z;label\n1,5;2,5;-3;wall\n4,5;5,25;6;floor\n",
+           "\"1.5\",\"2.5\",\"-3\"\n\"4.5\",\"5.25\",\"6\"\n",  // between quotation marks
+           "'1.5','2.5','-3'\n'4.5','5.25','6'\n",
+           "\"a, "
+           "b\",\"y\",\"x\",\"z\"\n\"p q\",\"2,5\",\"1,5\",\"-3\"\n\"\",\"5,25\",\"4,5\",\"6\"\n",
+           "z,y,x\nm,m,m\n-3,2.5,1.5\n6,5.25,4.5\n",  // units and types
+           "id,z,y,x\n-,[m],[m],[m]\n7,-3,2.5,1.5\n7,6,5.25,4.5\n",
+           "z,y,x\nfloat,float,float\n-3,2.5,1.5\n6,5.25,4.5\n",
+           "# i z y x\n# units: m\n7 -3 2.5 1.5\n7 6 5.25 4.5\n",
+           "# columns: i z y x\n# made by Tool 1\n7 -3 2.5 1.5\n7 6 5.25 4.5\n",
+           "i [-] Z [m] Y [m] X [m]\n7 -3 2.5 1.5\n7 6 5.25 4.5\n",
+           "%time,field.z,field.y,field.x\n7,-3,2.5,1.5\n7,6,5.25,4.5\n",
+           "//Z Y X Scalar field #2 Nx\n-3 2.5 1.5 7 0\n6 5.25 4.5 7 0\n",  // blanks in names
        }) {
     for (const char* name : {"a.xyz", "a.txt", "a.asc", "a.pts", "a.csv"}) {
       EXPECT_EQ(read_cloud(folder.write(name, text)).points, kTwoOfText) << name << "\n" << text;
@@ -108,6 +120,31 @@ TEST(TextCloud, DropsRowsWithoutANumberForACoordinate) {
   EXPECT_EQ(cloud.num_dropped, 5);
 }
 
+TEST(TextCloud, KeepsItsHeaderWhereTheFirstRowsHoldNoNumber) {
+  const TemporaryFolder folder;
+  for (const char* row : {"NA,NA,NA", "null,null,null", "None,None,None", "N/A,N/A,N/A", "-,-,-",
+                          ",,", "nan,nan,nan", "#NUM!,#NUM!,#NUM!"}) {
+    const std::string text = "z,y,x\n" + std::string(row) + "\n-3,2.5,1.5\n6,5.25,4.5\n";
+    const Cloud cloud = read_cloud(folder.write("a.csv", text));
+    EXPECT_EQ(cloud.points, kTwoOfText) << row;
+    EXPECT_EQ(cloud.num_dropped, 1) << row;
+  }
+}
+
+TEST(TextCloud, IsReadAsUtf16) {
+  const TemporaryFolder folder;
+  const std::string text = "z;y;x;h\xE4\n-3;2,5;1,5;0\n6;5,25;4,5;0\n";
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    for (const bool has_mark : {true, false}) {
+      std::string bytes = has_mark ? test::bytes_of(std::uint16_t{0xFEFF}, order) : "";
+      for (const char c : text) {
+        bytes += test::bytes_of(std::uint16_t{static_cast<unsigned char>(c)}, order);
+      }
+      EXPECT_EQ(read_cloud(folder.write("a.csv", bytes)).points, kTwoOfText);
+    }
+  }
+}
+
 TEST(TextCloud, ThatIsAmbiguousIsRefusedWithWhatToSay) {
   const TemporaryFolder folder;
   const auto expect = [&](const std::string& text, std::size_t line, const std::string& words) {
@@ -121,6 +158,9 @@ TEST(TextCloud, ThatIsAmbiguousIsRefusedWithWhatToSay) {
   expect("a,b,c,d\n1,2,3,4\n", 1,
          "'a', 'b', 'c', 'd': expected 3 or a header that names x, y and z");
   expect("x,y,z\n1,2\n", 2, "2 columns where line 1 has 3");
+  expect("x y z\n1 2 3 4\n", 2, "4 columns where line 1 has 3");  // of R, with names of rows
+  expect("//R G B X Y Z Scalar field\n1 2 3 4 5 6.5 7\n", 2, "7 columns where line 1 has 8");
+  expect("x,y,z\nwall,wall,wall\n1,2,3\n", 2, "column 1: 'wall' is no number");
   expect("3\n1 2 3\n4 5 6\n", 0, "2 points, the first line says 3");
   expect("//X Y Z\n3\n1 2 3\n4 5 6\n", 0, "2 points, line 2 says 3");
   expect("1,234.5 6,789.0 3\n", 1, "is no number");

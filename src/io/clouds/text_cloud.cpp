@@ -22,11 +22,12 @@ ColumnChoice choose_named(const TableShape& shape) {
       throw std::invalid_argument(names + ": degrees of latitude and longitude are no points");
     }
   }
-  if (name_coordinates(shape.names)) {
+  if (name_coordinates(shape.names) && find_points(shape.names).empty()) {
     throw std::invalid_argument(names + ": they do not name all of x, y and z");
   }
   if (shape.num_columns != 3) {
-    throw std::invalid_argument(std::to_string(shape.num_columns) + " " + names +
+    throw std::invalid_argument(std::to_string(shape.num_columns) + " columns, " +
+                                quoted_names(shape.names) +
                                 ": expected 3 or a header that names x, y and z");
   }
   return {{0, 1, 2}, {names + " are taken for x, y, z"}};

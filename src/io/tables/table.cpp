@@ -19,11 +19,11 @@ class Counts {
     total_ += std::min(count, std::numeric_limits<Index>::max() - total_);
   }
 
-  void check(const std::filesystem::path& path, std::size_t num_rows) const {
+  void check(const std::filesystem::path& path, std::size_t num_rows, const char* name) const {
     if (first_line_ == 0 || static_cast<std::size_t>(total_) == num_rows) return;
     throw IoError(
         path, 0,
-        std::to_string(num_rows) + " points, " +
+        std::to_string(num_rows) + " " + name + ", " +
             (first_line_ == 1 ? "the first line" : "line " + std::to_string(first_line_)) +
             " says " + std::to_string(total_));
   }
@@ -49,7 +49,7 @@ class TableReader {
     set_columns(choose);
     LineReader reader(text_);
     while (const auto line = reader.next()) read_line(*line, reader.line());
-    counts_.check(path_, table_.lines.size());
+    counts_.check(path_, table_.lines.size(), rules_.row_name);
     if (rules_.checks_end && !text_.ends_with('\n') && !text_.ends_with('\r')) check_end();
     table_.values =
         Eigen::Map<const Eigen::MatrixXd>(values_.data(), static_cast<Index>(columns_.size()),
@@ -141,7 +141,8 @@ class TableReader {
 
 Table parse_table(const std::filesystem::path& path, std::string_view text,
                   const ColumnChooser& choose, const TableRules& rules) {
-  return TableReader(path, text, rules).read(choose);
+  const auto utf8 = utf8_of_utf16(text);
+  return TableReader(path, utf8 ? *utf8 : text, rules).read(choose);
 }
 
 std::string format_rows(const Eigen::Ref<const Eigen::MatrixXd>& values, char separator,

@@ -5,92 +5,21 @@
 #include <set>
 
 #include "gmcr/io.hpp"
+#include "io/tables/table_sample.hpp"
 #include "io/tables/text.hpp"
 
 namespace gmcr::io {
 namespace {
 
 constexpr char kWhiteSpace = ' ';
-constexpr std::size_t kSampledRows = 200;
-constexpr std::size_t kMostHeaderLines = 50;
 
-std::vector<std::string_view> split(std::string_view row, char separator) {
-  return separator == kWhiteSpace ? split_words(row) : split_cells(row, separator);
-}
-
-bool is_number(std::string_view cell) { return parse_cell(cell).has_value(); }
-
-/// No part of the line is a number, whatever separates its parts.
-bool is_header(std::string_view line) {
-  std::string blanked(line);
-  std::replace_if(
-      blanked.begin(), blanked.end(), [](char c) { return c == ';' || c == ','; }, ' ');
-  const auto words = split_words(blanked);
-  return std::none_of(words.begin(), words.end(), is_number);
-}
-
-std::string_view without_comment_mark(std::string_view line) {
-  line = trim(line);
-  while (line.starts_with('#') || line.starts_with('/') || line.starts_with('%')) {
-    line.remove_prefix(1);
+/// Of lines that are no comments.
+std::vector<std::string_view> texts_of(const std::vector<TableLine>& lines) {
+  std::vector<std::string_view> texts;
+  for (const TableLine& line : lines) {
+    if (!line.is_comment) texts.push_back(line.text);
   }
-  return trim(line);
-}
-
-/// "X (m)" and "\"x\"" are x.
-std::string column_name(std::string_view cell) {
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-    cell = cell.substr(1, cell.size() - 2);
-  }
-  cell = without_comment_mark(cell);
-  const std::size_t unit = cell.find_first_of("([");
-  const bool is_index = cell.find_first_of("0123456789", unit) == unit + 1;  // XYZ[0]
-  if (unit != std::string_view::npos && unit > 0 && !is_index) cell = cell.substr(0, unit);
-  return to_lower(trim(cell));
-}
-
-std::vector<std::string> names_of(std::string_view header, char separator) {
-  std::vector<std::string> names;
-  for (const std::string_view cell : split(header, separator)) names.push_back(column_name(cell));
-  if (!names.empty() && names.back().empty()) names.pop_back();
-  return names;
-}
-
-struct Sample {
-  std::vector<std::string_view> rows;
-  std::string_view header;
-  std::size_t header_line = 0;
-  std::size_t num_headers = 0;
-  std::string_view comment;  // the last before the first row
-  std::size_t first_row = 0;
-};
-
-Sample sample_of(const std::filesystem::path& path, std::string_view text,
-                 const TableRules& rules) {
-  if (text.find('\0') != std::string_view::npos) {
-    throw IoError(path, 0, "no text: it holds bytes of value 0");
-  }
-  Sample sample;
-  LineReader reader(text);
-  while (const auto line = reader.next()) {
-    if (sample.rows.size() == kSampledRows) break;
-    if (!is_content(*line)) {
-      if (sample.rows.empty() && !trim(*line).empty()) sample.comment = *line;
-      continue;
-    }
-    if (rules.allows_counts && lone_integer(*line)) continue;
-    if (sample.rows.empty() && is_header(*line)) {
-      if (++sample.num_headers > kMostHeaderLines) {
-        throw IoError(path, reader.line(), "no row of numbers so far");
-      }
-      sample.header = *line;
-      sample.header_line = reader.line();
-      continue;
-    }
-    if (sample.rows.empty()) sample.first_row = reader.line();
-    sample.rows.push_back(*line);
-  }
-  return sample;
+  return texts;
 }
 
 bool has(const std::vector<std::string_view>& rows, char mark) {
@@ -102,19 +31,18 @@ bool has(const std::vector<std::string_view>& rows, char mark) {
 /// Whether every cell of every row is a number.
 bool reads(const std::vector<std::string_view>& rows, char separator, char decimal) {
   return std::all_of(rows.begin(), rows.end(), [&](std::string_view row) {
-    const auto cells = split(row, separator);
+    const auto cells = split_quoted(row, separator);
     return std::all_of(cells.begin(), cells.end(), [&](std::string_view cell) {
       return parse_cell(cell, decimal).has_value();
     });
   });
 }
 
-/// Decimal mark of cells between semicolons: a comma where one makes a number of them and no point
-/// does.
-char decimal_of(const std::vector<std::string_view>& rows) {
+/// Decimal mark of cells: a comma where one makes a number of them and no point does.
+char decimal_of(const std::vector<std::string_view>& rows, char separator) {
   bool has_comma = false;
   for (const std::string_view row : rows) {
-    for (const std::string_view cell : split(row, ';')) {
+    for (const std::string_view cell : split_quoted(row, separator)) {
       if (cell.find(',') == std::string_view::npos) continue;
       if (!parse_cell(cell, ',')) return '.';
       has_comma = true;
@@ -126,31 +54,16 @@ char decimal_of(const std::vector<std::string_view>& rows) {
 void set_separator(const std::vector<std::string_view>& rows, TableLayout& layout) {
   if (has(rows, ';')) {
     layout.separator = ';';
-    layout.decimal = decimal_of(rows);
+    layout.decimal = decimal_of(rows, ';');
   } else if (has(rows, ',')) {
     const bool is_decimal = !reads(rows, ',', '.') && reads(rows, kWhiteSpace, ',');
     layout.separator = is_decimal ? kWhiteSpace : ',';
-    layout.decimal = is_decimal ? ',' : '.';
+    layout.decimal = is_decimal ? ',' : decimal_of(rows, ',');  // "1,5" between quotation marks
   }
   layout.has_trailing_separator = layout.separator != kWhiteSpace &&
                                   std::all_of(rows.begin(), rows.end(), [&](std::string_view row) {
                                     return trim(row).ends_with(layout.separator);
                                   });
-}
-
-void set_names(const Sample& sample, TableLayout& layout) {
-  const std::size_t num_columns = layout.shape.num_columns;
-  for (const std::string_view header : {sample.header, without_comment_mark(sample.comment)}) {
-    for (const char separator : {layout.separator, ';', ',', kWhiteSpace}) {
-      std::vector<std::string> names = names_of(header, separator);
-      if (names.size() != num_columns) continue;
-      // a comment need not speak of columns
-      const bool is_comment = header.data() != sample.header.data();
-      if (is_comment && std::find(names.begin(), names.end(), "x") == names.end()) continue;
-      layout.shape.names = std::move(names);
-      return;
-    }
-  }
 }
 
 bool is_integer_text(std::string_view cell) { return parse_index(cell).has_value(); }
@@ -244,8 +157,11 @@ TableShape shape_of(const Eigen::Ref<const Eigen::MatrixXd>& values) {
 
 bool is_content(std::string_view line) {
   const std::string_view content = trim(line);
-  return !content.empty() && !content.starts_with('#') && !content.starts_with("//") &&
-         !content.starts_with('%');
+  const bool is_comment =
+      content.starts_with('#') || content.starts_with("//") || content.starts_with('%');
+  // "#N/A" is a cell
+  return !content.empty() &&
+         (!is_comment || is_missing(content.substr(0, content.find_first_of(",; \t"))));
 }
 
 std::optional<Index> lone_integer(std::string_view line) {
@@ -262,50 +178,54 @@ std::size_t num_decimals(std::string_view cell, char decimal) {
 
 bool is_missing(std::string_view cell) {
   const std::string word = to_lower(cell);
-  return word.empty() || word == "na" || word == "n/a" || word == "#n/a" || word == "null" ||
-         word == "none";
+  return word.empty() || word == "-" || word == "na" || word == "n/a" || word == "#n/a" ||
+         word == "#num!" || word == "null" || word == "none";
 }
 
 std::vector<std::string_view> split_row(std::string_view line, const TableLayout& layout) {
   const std::size_t comment = std::min(line.find(" #"), line.find("\t#"));
-  auto cells = split(line.substr(0, comment), layout.separator);
+  auto cells = split_quoted(line.substr(0, comment), layout.separator);
   if (layout.has_trailing_separator && !cells.empty() && cells.back().empty()) cells.pop_back();
   return cells;
 }
 
 TableLayout find_layout(const std::filesystem::path& path, std::string_view text,
                         const TableRules& rules) {
-  const Sample sample = sample_of(path, text, rules);
+  const TableSample sample = sample_table(path, text, rules);
   TableLayout layout;
-  layout.first_line = sample.header_line > 0 ? sample.header_line : sample.first_row;
-  layout.first_row = sample.first_row;
-  if (sample.rows.empty()) {
-    set_separator({sample.header}, layout);
-    layout.shape.names = names_of(sample.header, layout.separator);
-    layout.shape.num_columns = layout.shape.names.size();
-    return layout;
-  }
-  set_separator(sample.rows, layout);
-  layout.shape.num_columns = split_row(sample.rows[0], layout).size();
-  set_names(sample, layout);
-  set_facts(sample.rows, layout);
-  if (may_be_decimal_commas(sample.rows, layout)) {
-    throw IoError(path, sample.first_row,
-                  io::quoted(sample.rows[0]) + " may be " +
-                      std::to_string(layout.shape.num_columns) +
+  set_separator(texts_of(sample.rows.empty() ? sample.before : sample.rows), layout);
+  std::size_t& num_columns = layout.shape.num_columns;
+  if (!sample.rows.empty()) num_columns = split_row(sample.rows[0].text, layout).size();
+  TableHeader header = find_header(sample.before, layout.separator, num_columns);
+  std::vector<TableLine> lines = std::move(header.rows);
+  lines.insert(lines.end(), sample.rows.begin(), sample.rows.end());
+  const std::vector<std::string_view> rows = texts_of(lines);
+  if (num_columns == 0) num_columns = header.names.size();
+  if (num_columns == 0 && !rows.empty()) num_columns = split_row(rows[0], layout).size();
+  if (!lines.empty()) layout.first_row = lines[0].number;
+  const bool has_header = header.line.number > 0;
+  layout.first_line = has_header && !header.line.is_comment ? header.line.number : layout.first_row;
+  layout.shape.names = std::move(header.names);
+  set_facts(rows, layout);
+  if (may_be_decimal_commas(rows, layout)) {
+    throw IoError(path, layout.first_row,
+                  io::quoted(rows[0]) + " may be " + std::to_string(num_columns) +
                       " integers or half as many numbers with decimal commas: put a line with the "
                       "names of the columns before it, or separate them by ';'");
   }
-  if (layout.shape.names.empty() && sample.header_line > 0) {
-    const auto names = names_of(sample.header, layout.separator);
-    if (names.size() > 1 && names.size() > layout.shape.num_columns) {
-      throw IoError(path, sample.first_row,
-                    std::to_string(layout.shape.num_columns) + " columns where line " +
-                        std::to_string(sample.header_line) + " has " +
-                        std::to_string(names.size()));
+  const std::string line = "line " + std::to_string(header.line.number);
+  if (layout.shape.names.empty() && has_header) {
+    if (header.names_coordinates || (header.num_names > 1 && header.num_names > num_columns)) {
+      throw IoError(path, layout.first_row,
+                    std::to_string(num_columns) + " columns where " + line + " has " +
+                        std::to_string(header.num_names));
     }
-    layout.notes.push_back("line " + std::to_string(sample.header_line) + ", " +
-                           io::quoted(sample.header) + ", does not name the columns");
+    layout.notes.push_back(line + ", " + io::quoted(header.line.text) +
+                           ", does not name the columns");
+  } else if (has_header && header.num_names != num_columns) {
+    layout.notes.push_back(line + " has " + std::to_string(header.num_names) + " names for " +
+                           std::to_string(num_columns) +
+                           " columns: only those before the first other name are taken");
   }
   if (layout.decimal == ',') layout.notes.push_back("commas are taken for decimal marks");
   return layout;

@@ -13,6 +13,7 @@ namespace gmcr::io {
 
 /// What a kind of table may hold beside rows of numbers.
 struct TableRules {
+  const char* row_name = "points";
   bool allows_counts = false;   ///< lines that say how many rows follow
   bool allows_missing = false;  ///< cells that are empty, NA, null: NaN
   bool checks_end = true;       ///< a last line without an end may be cut
@@ -48,8 +49,7 @@ struct TableLayout {
 };
 
 /// Decides how a table is to be read by its first lines. Blank lines and comments (`#`, `//`, `%`)
-/// are no rows; a last comment before the first row may name the columns. Lines before the first
-/// row without any number are headers, the last of which names the columns if it has as many cells.
+/// are no rows; lines before the first row without any number may be headers: `find_header`.
 /// Rows are separated by `;` if they hold one, else by `,` unless this leaves cells that are no
 /// numbers and taking it for the decimal mark between blanks does not, else by white space.
 /// @throws IoError where nothing fits or two readings do.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <string>
+
+#include "io/bytes.hpp"
 
 namespace gmcr::io {
 namespace {
@@ -101,6 +104,27 @@ std::string quoted(std::string_view text) {
   std::string result = "'";
   result.append(text.substr(0, kLongest));
   return result.append(text.size() > kLongest ? "...'" : "'");
+}
+
+std::optional<std::string> utf8_of_utf16(std::string_view bytes) {
+  if (bytes.size() < 2) return std::nullopt;
+  const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+  if (!has_mark && (bytes[0] == 0) == (bytes[1] == 0)) return std::nullopt;
+  const bool is_big = has_mark ? bytes[0] == '\xFE' : bytes[0] == 0;
+  const std::endian order = is_big ? std::endian::big : std::endian::little;
+  std::string text;
+  for (std::size_t i = has_mark ? 2 : 0; i + 1 < bytes.size(); i += 2) {
+    const auto code = load<std::uint16_t>(bytes.data() + i, order);
+    if (code < 0x80) {
+      text += static_cast<char>(code);
+    } else if (code < 0x800) {
+      text += static_cast<char>(0xC0 | code >> 6);
+      text += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+      text += '?';
+    }
+  }
+  return text;
 }
 
 std::string to_lower(std::string_view text) {

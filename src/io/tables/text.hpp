@@ -58,6 +58,10 @@ void append_number(std::string& text, double value);
 /// The text between quotation marks, cut where it is long: for messages.
 std::string quoted(std::string_view text);
 
+/// A text of UTF-16, which a byte order mark or a zero in one of the first two bytes tells, as
+/// UTF-8; what three bytes of UTF-8 would take is '?'.
+std::optional<std::string> utf8_of_utf16(std::string_view bytes);
+
 std::string to_lower(std::string_view text);
 
 }  // namespace gmcr::io
