@@ -12,6 +12,8 @@
 namespace gmcr::io {
 namespace {
 
+constexpr const char* kGzip = "compressed by gzip: unpack it first";
+
 struct Closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -40,6 +42,7 @@ std::string read_file(const std::filesystem::path& path) {
   }
   if (std::ferror(file.get())) throw IoError(path, 0, std::strerror(errno));
   if (content.empty()) throw IoError(path, 0, "file is empty");
+  if (content.starts_with("\x1F\x8B\x08")) throw IoError(path, 0, kGzip);
   return content;
 }
 
@@ -56,6 +59,7 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 std::string unknown_extension(const std::string& extension, const std::vector<std::string>& known) {
+  if (extension == ".gz") return kGzip;
   const std::string what =
       extension.empty() ? "no extension" : "unknown extension '" + extension + "'";
   std::string list;

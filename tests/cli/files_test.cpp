@@ -51,6 +51,54 @@ TEST(StandardOutput, ThatIsFullIsAnError) {
   }
 }
 
+TEST(Pipe, IsReadOnceWhateverItHolds) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("a.xyz", patch(0, "")).string();
+  const Points points = read_cloud(cloud).points;
+  const std::string rest = " " + cloud + " --voxel 0.1 -o " + (folder / "m.csv").string();
+  for (const auto& [pipe, of] : {std::pair{"p.ply", "a.ply"},
+                                 {"p.pcd", "a.pcd"},
+                                 {"p.npy", "a.npy"},
+                                 {"p.csv", "a.csv"},
+                                 {"p.txt", "a.txt"},
+                                 {"p", "a.ply"},
+                                 {"q", "a.csv"}}) {
+    write_cloud(folder / of, points);
+    const std::string path = (folder / pipe).string();
+    const std::string fill = "mkfifo " + path + "; cat " + (folder / of).string() + " > " + path;
+    ASSERT_EQ(std::system((fill + " &").c_str()), 0);
+    EXPECT_EQ(test::run_json("match " + path + rest).at("num_source_points"), points.cols())
+        << pipe;
+  }
+  expect_failure("solve /dev/null --noise-bound 1", 3, "/dev/null: file is empty");
+}
+
+TEST(Gzip, IsSaidToBeSo) {
+  const TemporaryFolder folder;
+  const std::string bytes = "\x1F\x8B\x08 and more";
+  for (const char* name : {"a.ply", "a.csv", "a.bin", "a.xyz.gz"}) {
+    const std::string path = folder.write(name, bytes).string();
+    expect_failure("match " + path + " " + path + " -o m.csv", 3, "compressed by gzip: unpack it");
+  }
+}
+
+TEST(Pose, MayBeTheJsonOfAResult) {
+  const TemporaryFolder folder;
+  const auto matches = folder / "m.csv";
+  Points source(3, 30);
+  for (Index i = 0; i < 30; ++i) source.col(i) << i % 5, i * i % 7, i * 3 % 11;
+  write_matches(matches, source, source);
+  const std::string solve = "solve " + matches.string() + " --noise-bound 0.1";
+  const std::string result = folder.write("r.json", test::run_json(solve).dump()).string();
+  EXPECT_LT(test::run_json("eval " + result + " " + result).at("rotation_error_deg"), 1e-9);
+  test::run_json(solve + " --max-rotation-error 5 --initial-pose " + result);
+  const std::string far = folder.write("far.txt", "1 0 0 99\n0 1 0 0\n0 0 1 0\n0 0 0 1\n").string();
+  const auto no_pose =
+      test::run_json(solve + " --max-translation-error 0.01 --initial-pose " + far, 1);
+  const std::string none = folder.write("none.json", no_pose.dump()).string();
+  expect_failure("eval " + result + " " + none, 3, "has no pose");
+}
+
 TEST(Aligned, KeepsTheFieldsOfTheSource) {
   const TemporaryFolder folder;
   const std::string header =

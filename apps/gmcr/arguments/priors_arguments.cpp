@@ -9,7 +9,7 @@
 
 #include "arguments/option_flags.hpp"
 #include "arguments/validators.hpp"
-#include "gmcr/io.hpp"
+#include "input/read_estimate.hpp"
 #include "options/table.hpp"
 
 namespace gmcr::cli {
@@ -87,10 +87,11 @@ void PriorsArguments::add_to(CLI::App& command) {
       },
       "Direction of gravity in the source frame and, where it differs, in the target frame");
   gravity_option->expected(3, 6)->type_name("X Y Z [X Y Z]")->group(kGroup);
-  auto* pose_option =
-      command.add_option("--initial-pose", initial_pose, "4 x 4 transform near which to look")
-          ->type_name("T.txt")
-          ->group(kGroup);
+  auto* pose_option = command
+                          .add_option("--initial-pose", initial_pose,
+                                      "Pose near which to look, T.txt or result.json")
+                          ->type_name("T.txt")
+                          ->group(kGroup);
   add_limit(command, "gravity.", &GravityPrior::max_tilt, max_tilt_deg)
       ->default_str("0")
       ->needs(gravity_option);
@@ -113,7 +114,7 @@ void PriorsArguments::add_to(Options& options) const {
         "--initial-pose needs --max-rotation-error, --max-translation-error or both");
   }
   InitialPose& prior = options.initial_pose.emplace();
-  prior.target_from_source = read_transform(initial_pose);
+  prior.target_from_source = read_pose(initial_pose);
   prior.max_rotation = radians(max_rotation_error_deg.value_or(180));
   prior.max_translation = max_translation_error.value_or(prior.max_translation);
 }

@@ -13,7 +13,7 @@ namespace gmcr::cli {
 struct PriorsArguments {
   std::vector<double> gravity;  ///< 3 values for both frames, or 3 for each; empty: not given
   std::optional<double> max_tilt_deg;
-  std::string initial_pose;  ///< path of a transform; empty: not given
+  std::string initial_pose;  ///< path of a transform or a result; empty: not given
   std::optional<double> max_rotation_error_deg;
   std::optional<double> max_translation_error;
 

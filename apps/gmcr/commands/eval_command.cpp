@@ -15,8 +15,8 @@ namespace gmcr::cli {
 namespace {
 
 constexpr const char* kEvalExamples =
-    R"(RESULT is a 4 x 4 text file (-o) or the JSON of solve or register (--json), or - for one of
-them from stdin.
+    R"(RESULT and TRUTH are each a 4 x 4 text file (-o) or the JSON of solve or register (--json), or one of
+them is - for stdin.
 
 Examples:
   gmcr eval T.txt T_truth.txt
@@ -55,7 +55,7 @@ void print_report(Report report, const std::string& status, const Json& errors) 
 ExitCode run_eval(const EvalArguments& arguments) {
   const InputFile file(arguments.result);
   const Estimate estimate = file.read([](const auto& path) { return read_estimate(path); });
-  const Similarity truth = read_transform(arguments.truth);
+  const Similarity truth = read_pose(arguments.truth);
   std::optional<Cloud> cloud;
   if (!arguments.points.empty()) cloud = read_cloud(arguments.points);
   const Json errors = errors_of(estimate.pose, truth, cloud);
@@ -77,7 +77,7 @@ void add_eval_command(CLI::App& app, Work& work) {
   const auto arguments = std::make_shared<EvalArguments>();
   CLI::App& command = *app.add_subcommand("eval", "Errors of a result against the truth");
   command.add_option("RESULT", arguments->result, "Estimate, T.txt or result.json")->required();
-  command.add_option("TRUTH", arguments->truth, "True 4 x 4 transform")->required();
+  command.add_option("TRUTH", arguments->truth, "Truth, T.txt or result.json")->required();
   command
       .add_option("--points", arguments->points, "Source cloud, for the mean point error (metres)")
       ->type_name("CLOUD");

@@ -13,11 +13,12 @@ enum class TextKind { Table, Graph };
 
 /// A file that a command reads: the one at a path, or what comes from stdin where the path is "-".
 ///
-/// Readers tell formats by extensions, so what comes from stdin goes into a file with the extension
-/// that its first bytes ask for: .npy, .ply, .pcd, .mtx, .json, or else that of a table or a graph.
+/// What comes from stdin, a pipe or a device can be read but once, so it goes into a file. Readers
+/// tell formats by extensions: it has that of the pipe, or the one that its first bytes ask for,
+/// .npy, .ply, .pcd, .mtx, .json, or else that of a table or a graph.
 class InputFile {
  public:
-  /// @throws IoError where stdin is empty or cannot be kept.
+  /// @throws IoError where stdin or a pipe is empty or cannot be kept.
   explicit InputFile(const std::string& path, TextKind kind = TextKind::Table);
 
   /// Where it can be read, as long as this object lives.

@@ -34,6 +34,6 @@ def read_matches(path: str | Path) -> tuple[Floats, Floats, Floats | None]:
         where the file cannot be read or is malformed.
     """
     path = Path(path)
-    path.open("rb").close()  # a missing file is the usual error
+    path.stat()  # a missing file is the usual error; opening it would empty a pipe
     source, target, noise_bounds, _ = _gmcr.read_matches(path)
     return source, target, noise_bounds
