@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "gmcr/io.hpp"
@@ -29,6 +31,18 @@ constexpr const char* kStl =
     "endloop\nendfacet\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 5\nVERTEX 3 1 5\nVERTEX 0 1 5\n"
     "ENDLOOP\nENDFACET\nendsolid plate\n";
 
+/// The square as a strip, and the pair as another one.
+constexpr const char* kStrips =
+    "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+    "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+    "0 0 5\n1 0 5\n3 0 5\n3 1 5\n1 1 5\n0 1 5\n9 0 1 5 4 -1 1 2 4 3\n";
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
 std::string binary_stl() {
   std::string bytes = "solid but binary" + std::string(64, ' ') + bytes_of(std::uint32_t{2});
   bytes += bytes_of(std::vector<float>{0, 0, 1, 0, 0, 5, 3, 0, 5, 3, 1, 5}) + "ab";
@@ -42,6 +56,9 @@ TEST(Mesh, IsSampledEvenlyOnItsSurface) {
                                    {"a.obj", kObj},
                                    {"a.off", kOff},
                                    {"a.stl", kStl},
+                                   {"c.ply", kStrips},
+                                   {"c.off", "OFF6 2 0" + std::string(kOff).substr(17)},
+                                   {"c.stl", "\xEF\xBB\xBF" + upper(kStl)},
                                    {"b.stl", binary_stl()}}) {
     const auto path = folder.write(name, text);
     const Cloud cloud = read_cloud(path, {.mesh_points = 3000});
@@ -115,6 +132,8 @@ TEST(Mesh, ThatIsMalformedIsAnError) {
   expect("a.stl", std::string(kStl).substr(0, std::string(kStl).find("endsolid")), 15,
          "truncated: no endsolid");
   expect("a.stl", binary_stl().substr(5, 170), 0, "truncated or no STL");
+  expect("a.stl", binary_stl() + "more", 0,
+         "188 bytes where 2 triangles of a binary file take 184");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Pcd, TakesFieldsOfSeveralValuesAmongTheCoordinates) {
       read_cloud(folder.write("b.pcd", start + "DATA binary_compressed\n" + compressed(columns)))
           .points,
       kTwoPoints);
-  EXPECT_EQ(read_cloud(folder.write("c.pcd", start + "DATA ascii\n9 9 9 3 0 0 1 2 1\n"
+  EXPECT_EQ(read_cloud(folder.write("c.pcd", start + "DATA ASCII\n9 9 9 3 0 0 1 2 1\n"
                                                      "9 9 9 6 0 0 1 5 4\n"))
                 .points,
             kTwoPoints);

@@ -150,5 +150,24 @@ TEST(Ply, ThatIsMalformedIsAnError) {
   expect("plyx\n", 1, "not a PLY file");
 }
 
+TEST(Ply, OfAsciiRowsLongerThanItsHeaderSaysIsRefused) {
+  const TemporaryFolder folder;
+  const std::string start = header("ascii", properties_of("float", "xyz"));
+  for (const char* rows : {"1 2 3 7\n4 5 6 7\n", "1 2 3 1 2 3\n4 5 6 4 5 6\n"}) {
+    const auto path = folder.write("a.ply", start + rows);
+    test::expect_io_error([&] { read_cloud(path); }, path, 8, " values in a line, expected 3");
+  }
+  // what the vertices leave is no face
+  const std::string mesh = "ply\nformat ascii 1.0\nelement vertex 2\n" +
+                           properties_of("float", "xyz") +
+                           "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+  const auto path = folder.write("a.ply", mesh + "1 2 3 7.5\n4 5 6 7.5\n3 0 1 1\n");
+  test::expect_io_error([&] { read_cloud(path); }, path, 10, "4 values in a line, expected 3");
+  for (const char* rows : {"1 2 3 4 5 6\n", "1 2\n3 4 5\n6\n", "1\n2\n3\n4\n5\n6\n"}) {
+    EXPECT_EQ(read_cloud(folder.write("a.ply", start + rows)).points, kTwo) << rows;
+  }
+  EXPECT_EQ(read_cloud(folder.write("a.ply", start + "1 2 3\n4 5 6\n7 8 9\n")).points, kTwo);
+}
+
 }  // namespace
 }  // namespace gmcr::io

@@ -115,7 +115,7 @@ class PcdFile {
     } else if (key == "HEIGHT") {
       header_.height = single(values);
     } else if (key == "DATA") {
-      header_.data = values.size() == 1 ? std::string(values[0]) : "";
+      header_.data = values.size() == 1 ? to_lower(values[0]) : "";
       if (header_.data != "ascii" && header_.data != "binary" &&
           header_.data != "binary_compressed") {
         fail("unknown DATA format " + io::quoted(values.empty() ? "" : values[0]));

@@ -44,6 +44,10 @@ class BinaryCursor {
     return row_bytes == 0 || static_cast<std::size_t>(count) <= bytes_left() / row_bytes;
   }
 
+  void end_row() {}
+  static std::size_t long_line() { return 0; }
+  static std::string long_reason() { return ""; }
+
   static Scalar stored(Scalar type) { return type; }
   std::size_t bytes_left() const { return data_.size() - offset_; }
   std::size_t line() const { return 0; }
@@ -67,8 +71,22 @@ class TextCursor {
       words_ = split_words(*line);
       word_ = 0;
     }
+    ++row_size_;
     return parse_cell(words_[word_++]);
   }
+
+  /// Notes the first line that holds more than the row that ends in it.
+  void end_row() {
+    if (word_ < words_.size() && long_line_ == 0) {
+      long_line_ = line();
+      long_reason_ = std::to_string(words_.size()) + " values in a line, expected " +
+                     std::to_string(row_size_) + " by the header";
+    }
+    row_size_ = 0;
+  }
+
+  std::size_t long_line() const { return long_line_; }
+  const std::string& long_reason() const { return long_reason_; }
 
   bool copy(Scalar type, std::string& bytes) {
     const auto value = next(type);
@@ -96,6 +114,9 @@ class TextCursor {
   std::size_t lines_before_;
   std::vector<std::string_view> words_;
   std::size_t word_ = 0;
+  std::size_t row_size_ = 0;  // values of the row so far
+  std::size_t long_line_ = 0;
+  std::string long_reason_;
 };
 
 template <typename Cursor>
@@ -104,21 +125,39 @@ class DataReader {
   DataReader(const std::filesystem::path& path, const PlyHeader& header, Cursor cursor)
       : path_(path), header_(header), cursor_(std::move(cursor)) {}
 
+  /// Rows may go on in the next line; where one ends within a line, all have to end with the text.
   PlyFile read() {
-    for (const PlyElement& element : header_.elements) {
-      check(element);
-      if (element.name == "vertex") {
-        for (Index row = 0; row < element.count; ++row) read_vertex(element, row);
-      } else {
-        for (Index row = 0; row < element.count; ++row) read_other(element, row);
-      }
+    try {
+      read_elements();
+    } catch (const IoError&) {
+      check_lines();
+      throw;
     }
-    check_corners();
     file_.bytes_left = cursor_.bytes_left();
+    if (file_.bytes_left > 0) check_lines();
     return std::move(file_);
   }
 
  private:
+  void read_elements() {
+    for (const PlyElement& element : header_.elements) {
+      check(element);
+      for (Index row = 0; row < element.count; ++row) {
+        if (element.name == "vertex") {
+          read_vertex(element, row);
+        } else {
+          read_other(element, row);
+        }
+        cursor_.end_row();
+      }
+    }
+    check_corners();
+  }
+
+  void check_lines() const {
+    if (cursor_.long_line() > 0) throw IoError(path_, cursor_.long_line(), cursor_.long_reason());
+  }
+
   /// Before anything is allocated: a header may promise what it likes.
   void check(const PlyElement& element) {
     if (element.properties.empty() && element.count > 0) {
@@ -170,9 +209,9 @@ class DataReader {
       }
       read_list(element, property, row);
       const std::string& name = property.field.name;
-      if (element.name == "face" && (name == "vertex_indices" || name == "vertex_index")) {
-        add_polygon(file_.triangles, list_);
-      }
+      if (name != "vertex_indices" && name != "vertex_index") continue;
+      if (element.name == "face") add_polygon(file_.triangles, list_);
+      if (element.name == "tristrips") add_strips(file_.triangles, list_);
     }
   }
 

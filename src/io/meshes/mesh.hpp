@@ -22,6 +22,10 @@ struct Mesh {
 /// none.
 void add_polygon(std::vector<Triangle>& triangles, const std::vector<Index>& corners);
 
+/// Adds the triangles of strips, which a negative corner ends; every other one is turned around, so
+/// that all face the same side.
+void add_strips(std::vector<Triangle>& triangles, const std::vector<Index>& corners);
+
 /// Wavefront OBJ: `v` and `f` (from 1, or from the end where negative; further indices and
 /// statements are skipped).
 /// @throws IoError with the line. The same holds for the others here.

@@ -46,13 +46,17 @@ class OffFile {
 
   void read_keyword() {
     counts_ = next();
-    std::string_view keyword = counts_[0];
+    // ModelNet40 has files whose first number follows without a blank
+    const std::size_t at = counts_[0].find("OFF");
+    const std::string_view keyword =
+        counts_[0].substr(0, at == std::string_view::npos ? at : at + 3);
     if (keyword.ends_with("OFF")) {
       const std::string_view before = keyword.substr(0, keyword.size() - 3);
       if (before.find_first_not_of("STCN") != std::string_view::npos) {
         fail(io::quoted(keyword) + ": only points of 3 coordinates are read");
       }
-      counts_.erase(counts_.begin());
+      counts_[0].remove_prefix(keyword.size());
+      if (counts_[0].empty()) counts_.erase(counts_.begin());
       if (!counts_.empty() && counts_[0] == "BINARY") fail("binary OFF is not read");
       if (counts_.empty()) counts_ = next();
     }

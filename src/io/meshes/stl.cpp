@@ -54,23 +54,29 @@ Mesh parse_text(const std::filesystem::path& path, std::string_view text) {
   return mesh_of(coordinates);
 }
 
+/// Whether a text starts; a binary file may say so too.
+bool says_solid(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return to_lower(trim(bytes.substr(0, 80))).starts_with("solid");
+}
+
 }  // namespace
 
 Mesh parse_stl(const std::filesystem::path& path, std::string_view bytes) {
   // binary files may start with "solid" too, so the size decides
+  const bool may_be_text = says_solid(bytes) && bytes.find('\0') == std::string_view::npos;
   if (bytes.size() >= kHeaderBytes) {
     const std::size_t count = load<std::uint32_t>(bytes.data() + kHeaderBytes - 4);
     const std::size_t size = kHeaderBytes + count * kTriangleBytes;
     if (bytes.size() == size) return parse_binary(bytes);
-    if (!trim(bytes.substr(0, 80)).starts_with("solid")) {
+    if (!may_be_text) {
       throw IoError(path, 0,
                     "truncated or no STL: " + std::to_string(bytes.size()) + " bytes where " +
-                        std::to_string(count) + " triangles take " + std::to_string(size));
+                        std::to_string(count) + " triangles of a binary file take " +
+                        std::to_string(size));
     }
   }
-  if (!trim(bytes.substr(0, 80)).starts_with("solid")) {
-    throw IoError(path, 0, "truncated or no STL: it does not start with 'solid'");
-  }
+  if (!may_be_text) throw IoError(path, 0, "truncated or no STL: it does not start with 'solid'");
   return parse_text(path, bytes);
 }
 

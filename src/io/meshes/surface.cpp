@@ -38,6 +38,17 @@ void add_polygon(std::vector<Triangle>& triangles, const std::vector<Index>& cor
   }
 }
 
+void add_strips(std::vector<Triangle>& triangles, const std::vector<Index>& corners) {
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] < 0) start = i + 1;
+    if (i < start + 2) continue;
+    const bool is_turned = (i - start) % 2 == 1;
+    triangles.push_back(
+        {corners[i - 2], corners[is_turned ? i : i - 1], corners[is_turned ? i - 1 : i]});
+  }
+}
+
 double share_of_corners(const Mesh& mesh) {
   std::vector<bool> is_corner(static_cast<std::size_t>(mesh.vertices.cols()));
   Index num_corners = 0;
