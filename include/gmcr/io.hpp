@@ -43,7 +43,7 @@ struct CloudOptions {
 /// A cloud as it was read.
 struct Cloud {
   Points points;          ///< 3 x N, N >= 1, finite, in the order of the file, its units
-  Index num_dropped = 0;  ///< points of the file that are not finite or mark no return
+  Index num_dropped = 0;  ///< points of the file that are not finite, too far or mark no return
   // NOLINTNEXTLINE(readability-redundant-member-init): so that callers may leave it out
   std::vector<std::string> notes{};  ///< what was dropped or had to be decided, as sentences
 };
@@ -62,11 +62,13 @@ struct Matches {
 /// `.ply` (every type, byte order and order of properties, lists); `.pcd` (ascii, binary,
 /// binary_compressed; every type); `.xyz`, `.txt`, `.asc`, `.pts`, `.csv` (text tables, read by
 /// what they hold: headers, counts, separators, decimal marks; further columns are ignored); `.npy`
-/// ((N, 3), floating or integer, C or Fortran order); `.pcd.bin` (nuScenes, 5 float32 a point);
+/// ((N, 3) or, of more rows than columns, wider; floating or integer, C or Fortran order);
+/// `.pcd.bin` (nuScenes, 5 float32 a point);
 /// `.bin` (KITTI, 4 float32 a point, or 3, 5 or 6 where size and content say so); `.obj`, `.off`,
 /// `.stl`, which like a `.ply` with faces are meshes: points are spread over their surface.
 /// Numbers do not depend on the locale. Points that are not finite are dropped, and so is (0, 0, 0)
-/// in organised clouds and where it is there more than ten times: sensors write it for no return.
+/// in organised clouds and where it is there more than ten times: sensors write it for no return;
+/// so is what is a billion times as far as the median, such as the largest float.
 /// @throws IoError where the file is missing, empty, cut, of another format, ambiguous, or without
 ///   a finite point; std::invalid_argument where an option is out of range. Nothing is printed.
 /// Memory: a few times the size of the file, whatever its header promises.

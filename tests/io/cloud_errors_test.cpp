@@ -140,6 +140,8 @@ TEST(NpyHeader, ThatIsNotAnNByThreeFloatArrayIsAnError) {
     bytes += '\0';
     expect_error(folder.write("a.npy", bytes + dictionary + std::string(24, '\0')), 0, words);
   };
+  expect("{'descr': [('x', '<f4'), ('y', '<f4')], 'fortran_order': False, 'shape': (2,), }",
+         "a structured dtype");
   expect("{'descr': '<c8', 'fortran_order': False, 'shape': (1, 3), }", "'<c8'");
   expect("{'descr': '|O', 'fortran_order': False, 'shape': (1, 3), }", "not an array of numbers");
   expect("{'descr': '<f8', 'fortran_order': False, 'shape': (3,), }", "shape (3,)");

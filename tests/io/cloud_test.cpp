@@ -33,6 +33,10 @@ TEST_P(WritableCloud, IsReadBackBitForBit) {
       // PCD holds float32
       if (path.extension() == ".pcd") value = static_cast<float>(value);
       if (!std::isfinite(value) || value == 0) value = 0.5;  // (0, 0, 0) may mark no return
+      // and what is a billion times as far as the others does
+      int exponent = 0;
+      value = std::frexp(value, &exponent);
+      value = std::ldexp(value, exponent % 14);
     }
     values.resize(3 * (values.size() / 3 + 1), 0.375);
     const Points points =
@@ -168,6 +172,40 @@ TEST(ReadCloud, TakesBothOrdersAndTypesOfNpy) {
             expected);
   EXPECT_EQ(read(npy("{\"shape\": (2, 3), 'descr': '<f4', 'fortran_order': False}", c_order, 2)),
             expected);
+}
+
+TEST_P(WritableCloud, LosesPointsABillionTimesAsFarAsTheOthers) {
+  const TemporaryFolder folder;
+  const auto path = folder / (std::string("cloud.") + GetParam());
+  for (const double far : {3.4028234663852886e38, 1e20, -1e12}) {
+    Points points(3, 5);
+    points << kThree, Points::Constant(3, 2, far);
+    points(0, 4) = 1;  // one coordinate is enough
+    write_cloud(path, points);
+    const Cloud cloud = read_cloud(path);
+    EXPECT_EQ(cloud.num_dropped, 2) << far;
+    EXPECT_TRUE(cloud.points.isApprox(kThree, 1e-6)) << far;
+    EXPECT_EQ(cloud.notes, std::vector<std::string>{"dropped 2 points that are not finite, or a "
+                                                    "billion times as far as the others"});
+  }
+  // a cloud may be as large as it likes, and have a point far off
+  for (const double scale : {1e15, 1e-15}) {
+    Points points(3, 4);
+    points << kThree, Points::Constant(3, 1, 1e8);
+    write_cloud(path, scale * points);
+    EXPECT_EQ(read_cloud(path).points.cols(), 4) << scale;
+  }
+}
+
+TEST(Npy, OfMoreColumnsInMoreRowsIsACloudOfTheFirstThree) {
+  const TemporaryFolder folder;
+  const Points points = Points::Random(3, 8);
+  write_matches(folder / "a.npy", points, points);  // (8, 6)
+  const Cloud cloud = read_cloud(folder / "a.npy");
+  EXPECT_EQ(cloud.points, points);
+  EXPECT_EQ(cloud.notes, std::vector<std::string>{"x, y, z are the first 3 of 6 columns"});
+  write_matches(folder / "b.npy", points.leftCols(6), points.leftCols(6));
+  EXPECT_THROW(read_cloud(folder / "b.npy"), IoError);
 }
 
 }  // namespace

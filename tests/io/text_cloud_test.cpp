@@ -166,6 +166,10 @@ TEST(TextCloud, ThatIsAmbiguousIsRefusedWithWhatToSay) {
   expect("1,234.5 6,789.0 3\n", 1, "is no number");
   expect(std::string("1 2 3\n\0 5 6\n", 12), 0, "bytes of value 0");
   expect("only words\n", 1, "expected 3");
+  std::string transposed;
+  for (int i = 0; i < 3 * 30; ++i)
+    transposed += std::to_string(i) + (i % 30 == 29 ? ".5\n" : ".5 ");
+  expect(transposed, 1, "3 rows of 30 columns: a row is a point");
 }
 
 TEST(TextCloud, CutInsideItsLastNumberIsRefusedWhereItShows) {
@@ -227,6 +231,26 @@ TEST(BinaryScan, ThatDoesNotTellIsKittiWithADoubt) {
   test::expect_io_error([&] { read_cloud(cut); }, cut, 0, "truncated");
   EXPECT_THROW(read_cloud(cut, {.bin_columns = 2}), std::invalid_argument);
   EXPECT_THROW(read_cloud(cut, {.mesh_points = -1}), std::invalid_argument);
+}
+
+TEST(BinaryScan, OfNumbersOfAnotherTypeIsRefusedWithWhatTheyMayBe) {
+  const TemporaryFolder folder;
+  test::Noise noise(5);
+  std::string doubles, big_endian, integers;
+  for (int i = 0; i < 4 * 500; ++i) {
+    const double value = 80 * noise.uniform() - 40;
+    doubles += test::bytes_of(value);
+    big_endian += test::bytes_of(static_cast<float>(value), std::endian::big);
+    integers += test::bytes_of(static_cast<std::int32_t>(1000 * value));
+  }
+  for (const auto& [bytes, words] : {std::pair{doubles, "they may be float64"},
+                                     {big_endian, "they may be big-endian"},
+                                     {integers, "they are of another type"}}) {
+    const auto path = folder.write("a.bin", bytes);
+    for (const Index columns : {4, 5}) {
+      test::expect_io_error([&] { read_cloud(path, {.bin_columns = columns}); }, path, 0, words);
+    }
+  }
 }
 
 }  // namespace

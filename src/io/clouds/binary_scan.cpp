@@ -125,6 +125,40 @@ std::optional<Index> clear_choice(std::string_view bytes) {
   return candidates[0].num_columns;
 }
 
+/// Coordinates in metres or millimetres are 0 or above this. Other types read as float32 have parts
+/// of their digits for exponents.
+constexpr double kTiniest = 1e-15;
+
+/// Whether nearly all numbers of that type and byte order are 0 or of a size that is measured.
+template <typename Number>
+bool may_hold(std::string_view bytes, std::endian order) {
+  constexpr std::size_t kSampled = 3000;
+  const std::size_t count = bytes.size() / sizeof(Number);
+  const std::size_t step = std::max<std::size_t>(1, count / kSampled) | 1;  // odd: every column
+  std::size_t num_sampled = 0;
+  std::size_t num_odd = 0;
+  for (std::size_t i = 0; i < count; i += step, ++num_sampled) {
+    const auto value = static_cast<double>(load<Number>(bytes.data() + i * sizeof(Number), order));
+    const double size = std::abs(value);
+    if (!(value == 0 || (size > kTiniest && size < 1 / kTiniest))) ++num_odd;
+  }
+  return 100 * num_odd < num_sampled;
+}
+
+/// Refuses points that are none because the numbers are of another type.
+void check_type(const std::filesystem::path& path, std::string_view bytes, const Points& points) {
+  constexpr double kLargestShare = 0.05;
+  const auto num_tiny = ((points.array() != 0) && (points.array().abs() < kTiniest)).count();
+  if (static_cast<double>(num_tiny) <= kLargestShare * static_cast<double>(points.size())) return;
+  const std::string guess = may_hold<double>(bytes, std::endian::little) ? "they may be float64"
+                            : may_hold<float>(bytes, std::endian::big)   ? "they may be big-endian"
+                                                                       : "they are of another type";
+  throw IoError(path, 0,
+                "read as float32, " + std::to_string(100 * num_tiny / points.size()) +
+                    " % of the coordinates are below 1e-15: " + guess +
+                    "; write float32, or an .npy, which says its type");
+}
+
 std::string sizes_that_fit(std::string_view bytes) {
   std::string text;
   for (const Index count : kKnownColumns) {
@@ -149,6 +183,7 @@ CloudFile parse_binary_scan(const std::filesystem::path& path, std::string_view 
   for (Index i = 0; i < file.points.cols(); ++i, row += bytes_of(num_columns)) {
     for (Index j = 0; j < 3; ++j) file.points(j, i) = load<float>(row + 4 * j);
   }
+  check_type(path, bytes, file.points);
   return file;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "gmcr/io.hpp"
@@ -43,12 +44,23 @@ CloudFile file_of(Mesh&& mesh) {
   return file;
 }
 
+/// As Python takes arrays: the first three columns.
+CloudFile file_of_array(const Eigen::MatrixXd& values) {
+  CloudFile file;
+  file.points = values.topRows<3>();
+  if (values.rows() > 3) {
+    file.notes.push_back("x, y, z are the first 3 of " + std::to_string(values.rows()) +
+                         " columns");
+  }
+  return file;
+}
+
 CloudFile parse(const std::filesystem::path& path, const std::string& extension,
                 std::string_view bytes, const CloudOptions& options) {
   if (extension == ".ply") return file_of(parse_ply(path, bytes));
   if (extension == ".pcd") return file_of(parse_pcd(path, bytes));
   if (is_text_table(extension)) return parse_text_cloud(path, bytes, extension == ".csv");
-  if (extension == ".npy") return file_of(Mesh{parse_npy(path, bytes, {3}), {}});
+  if (extension == ".npy") return file_of_array(parse_npy(path, bytes, {3}, true));
   if (extension == ".obj") return file_of(parse_obj(path, bytes));
   if (extension == ".off") return file_of(parse_off(path, bytes));
   if (extension == ".stl") return file_of(parse_stl(path, bytes));
@@ -94,9 +106,10 @@ Cloud cloud_of(const std::filesystem::path& path, const PointsRef& points, bool 
                   "no finite point among " + std::to_string(points.cols()) +
                       (valid.num_zeros > 0 ? " that is not (0, 0, 0)" : ""));
   }
-  if (valid.num_not_finite > 0) {
-    notes.push_back("dropped " + std::to_string(valid.num_not_finite) +
-                    " points that are not finite");
+  const Index num_bad = valid.num_not_finite + valid.num_far;
+  if (num_bad > 0) {
+    notes.push_back("dropped " + std::to_string(num_bad) + " points that are not finite" +
+                    (valid.num_far > 0 ? ", or a billion times as far as the others" : ""));
   }
   if (valid.num_zeros > 0) {
     notes.push_back("dropped " + std::to_string(valid.num_zeros) +
@@ -108,7 +121,7 @@ Cloud cloud_of(const std::filesystem::path& path, const PointsRef& points, bool 
     notes.push_back(std::to_string(repeats) + " of " + std::to_string(kept.cols()) +
                     " points are one and the same");
   }
-  return {std::move(kept), valid.num_not_finite + valid.num_zeros, std::move(notes)};
+  return {std::move(kept), num_bad + valid.num_zeros, std::move(notes)};
 }
 
 /// Points on the surface of a mesh.
@@ -146,6 +159,22 @@ CloudFile read_cloud_file(const std::filesystem::path& path, const CloudOptions&
   return file;
 }
 
+namespace {
+
+/// Magnitude from which on a coordinate is none, such as the largest float: a billion times that of
+/// most of the rows.
+double far_magnitude(const PointsRef& points, const std::vector<Index>& rows) {
+  constexpr double kFarShare = 1e9;
+  std::vector<double> magnitudes;
+  for (const Index i : rows) magnitudes.push_back(points.col(i).cwiseAbs().maxCoeff());
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+  const bool is_known = middle != magnitudes.end() && *middle > 0;
+  return is_known ? kFarShare * *middle : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 ValidRows valid_rows(const PointsRef& points, bool is_organised) {
   ValidRows valid;
   const auto is_zero = [&](Index i) { return (points.col(i).array() == 0).all(); };
@@ -160,6 +189,9 @@ ValidRows valid_rows(const PointsRef& points, bool is_organised) {
       valid.indices.push_back(i);
     }
   }
+  const double far = far_magnitude(points, valid.indices);
+  valid.num_far = static_cast<Index>(std::erase_if(
+      valid.indices, [&](Index i) { return points.col(i).cwiseAbs().maxCoeff() >= far; }));
   return valid;
 }
 

@@ -38,10 +38,12 @@ CloudFile parse_binary_scan(const std::filesystem::path& path, std::string_view 
 /// hold.
 CloudFile parse_unknown_scan(const std::filesystem::path& path, std::string_view bytes);
 
-/// Rows of a cloud that are points: finite, and not the (0, 0, 0) that sensors write for no return.
+/// Rows of a cloud that are points: finite, not the (0, 0, 0) that sensors write for no return, and
+/// not a billion times as far as the median, as the largest float is.
 struct ValidRows {
   std::vector<Index> indices;
   Index num_not_finite = 0;
+  Index num_far = 0;
   Index num_zeros = 0;
 };
 

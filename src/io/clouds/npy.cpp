@@ -185,8 +185,13 @@ Eigen::MatrixXd load_matrix(std::string_view data, const NpyHeader& header,
 }  // namespace
 
 Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view bytes,
-                          const std::vector<Index>& num_columns) {
+                          const std::vector<Index>& num_columns, bool allows_more) {
   const Parts parts = split(path, bytes);
+  if (parts.header.find("'descr': [") != std::string_view::npos) {
+    throw IoError(path, 0,
+                  "a structured dtype: expected an array " + shapes_of(num_columns) +
+                      " of numbers, as numpy.lib.recfunctions.structured_to_unstructured makes");
+  }
   const auto header = HeaderParser(parts.header).parse();
   if (!header) throw IoError(path, 0, "malformed .npy header");
   const auto element = element_type_of(header->descr);
@@ -196,8 +201,11 @@ Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view by
                       "' is not an array of numbers: expected '<f8', "
                       "'<f4' or integers");
   }
-  if (header->shape.size() != 2 ||
-      std::find(num_columns.begin(), num_columns.end(), header->shape[1]) == num_columns.end()) {
+  const auto& shape = header->shape;
+  const auto is_wider = [&] { return shape[1] > num_columns.back() && shape[0] > shape[1]; };
+  if (shape.size() != 2 ||
+      (std::find(num_columns.begin(), num_columns.end(), shape[1]) == num_columns.end() &&
+       !(allows_more && is_wider()))) {
     throw IoError(path, 0,
                   "shape " + shown(header->shape) + ", expected " + shapes_of(num_columns));
   }

@@ -50,6 +50,13 @@ ColumnChoice choose_unnamed(const TableShape& shape, bool is_csv) {
     throw std::invalid_argument(std::to_string(shape.num_columns) +
                                 " columns, fewer than 3 columns: a point has x, y and z");
   }
+  constexpr std::size_t kFewRows = 4;
+  constexpr std::size_t kManyColumns = 20;
+  if (shape.num_rows <= kFewRows && shape.num_columns > kManyColumns) {
+    throw std::invalid_argument(std::to_string(shape.num_rows) + " rows of " +
+                                std::to_string(shape.num_columns) +
+                                " columns: a row is a point, so it may have to be transposed");
+  }
   if (shape.num_columns == 3) return {{0, 1, 2}, {}};
   if (may_be_index(shape)) {
     throw std::invalid_argument(

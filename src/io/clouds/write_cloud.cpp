@@ -81,15 +81,6 @@ Records replace(const Records& records, const std::vector<Replacement>& replacem
   return result;
 }
 
-/// All points after the pose; those that are none stay.
-Points move_valid(const PointsRef& points, bool is_organised, const Similarity& pose) {
-  Points result = points;
-  for (const Index i : valid_rows(points, is_organised).indices) {
-    result.col(i) = pose.apply(Points(points.col(i)));
-  }
-  return result;
-}
-
 }  // namespace
 
 bool float32_suffices(const PointsRef& points) {
@@ -114,8 +105,11 @@ Records moved(const Records& records, const PointsRef& points, const Similarity&
   for (const Field& field : records.fields) types.push_back(field.type);
   std::vector<Replacement> replacements;
   const auto coordinates = find_coordinates(records.fields);
-  replacements.push_back({coordinates, move_valid(points, records.height > 1, pose)});
-  const bool suffices = float32_suffices(replacements[0].values);
+  const std::vector<Index> valid = valid_rows(points, records.height > 1).indices;
+  Points values = points;
+  for (const Index i : valid) values.col(i) = pose.apply(Points(points.col(i)));
+  const bool suffices = float32_suffices(Points(values(Eigen::all, valid)));
+  replacements.push_back({coordinates, std::move(values)});
   for (const std::size_t field : coordinates) {
     if (types[field] != Scalar::Float32 || !suffices) types[field] = Scalar::Float64;
   }
