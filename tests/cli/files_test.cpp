@@ -40,6 +40,35 @@ TEST(Outputs, ThatCannotBeWrittenEndTheToolBeforeItReads) {
   expect_failure("synth -o m.foo", 3, "m.foo: unknown extension");
 }
 
+TEST(Outputs, ThatWouldBeLostOrAreNotMeantAreRefusedBeforeTheToolReads) {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder / name).string(); };
+  const std::string a = folder.write("a.ply", "").string(), b = folder.write("b.ply", "").string();
+  const std::string clouds = "register " + a + " " + b;
+  std::filesystem::create_symlink(a, path("link.ply"));
+  for (const char* name : {"a.ply", "b.ply", "link.ply", "./a.ply"}) {
+    expect_failure(clouds + " --aligned " + path(name), 2, "written over a file that is read");
+  }
+  expect_failure(clouds + " -o x.txt --json-file x.txt", 2, "over another file that is written");
+  expect_failure(clouds + " --aligned x.csv --matches ./x.csv", 2, "over another file");
+  expect_failure("localise " + a + " " + b + " --aligned " + b, 2, "a file that is read");
+  expect_failure("prepare " + a + " -o " + a, 2, "a file that is read");
+  expect_failure("match " + a + " m.csv -o m.csv", 2, "a file that is read");
+  expect_failure("solve m.csv --noise-bound 1 --inliers m.csv", 2, "a file that is read");
+  expect_failure("synth -o m.csv --truth m.csv", 2, "another file that is written");
+  for (const char* name : {"T.ply", "T.PCD", "T.xyz", "T.las", "T.npy"}) {
+    expect_failure(clouds + " -o " + name, 2,
+                   "--aligned of register and localise writes the moved");
+  }
+  for (const char* flag : {"-o", "--aligned", "--matches", "--json-file"}) {
+    expect_failure(clouds + " " + flag + " ''", 2, "'' is no file");
+  }
+  expect_failure("synth -o ''", 2, "'' is no file");
+  const auto output =
+      test::run_tool("synth -o " + path("m.csv") + " --truth /dev/null --inliers /dev/null");
+  EXPECT_EQ(output.exit_code, 0) << output.err;
+}
+
 TEST(StandardOutput, ThatIsFullIsAnError) {
   const char* binary = std::getenv("GMCR_BIN");
   for (const char* arguments : {"info", "info --json", "--help"}) {

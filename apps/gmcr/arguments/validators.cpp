@@ -38,6 +38,11 @@ CLI::Validator not_negative() {
       "");
 }
 
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](std::string& text) { return std::string(text.empty() ? "'' is no file" : ""); }, "");
+}
+
 CLI::Validator at_least(double min) {
   return require([min](double value) { return value >= min; }, fmt::format("at least {}", min));
 }

@@ -18,6 +18,9 @@ CLI::Validator at_least(double min);
 /// Refuses what is no number above 0.
 CLI::Validator positive();
 
+/// Refuses a path that is empty, as a script's variable may be.
+CLI::Validator not_empty();
+
 /// Refuses what is no number from `min` to `max`; messages name the unit.
 CLI::Validator between(double min, double max, const std::string& unit = "");
 

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "arguments/arguments.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "input/read_points.hpp"
@@ -40,11 +42,6 @@ struct LocaliseArguments {
   Verdict required = Verdict::Untrusted;
 };
 
-void check_outputs(const LocaliseArguments& arguments) {
-  if (!arguments.transform.empty()) check_output(arguments.transform);
-  if (!arguments.aligned.empty()) check_cloud_output(arguments.aligned);
-}
-
 /// Writes the files that need a pose, and returns their paths.
 std::vector<std::string> write_files(const LocaliseArguments& arguments, const InputFile& scan,
                                      const Result& registration) {
@@ -65,7 +62,8 @@ std::vector<std::string> write_files(const LocaliseArguments& arguments, const I
 ExitCode run_localise(const LocaliseArguments& arguments) {
   Options options = arguments.solver.resolved();
   arguments.frontend.validate();
-  check_outputs(arguments);
+  check_outputs({{arguments.transform, Content::Transform}, {arguments.aligned, Content::Cloud}},
+                {arguments.scan, arguments.map, arguments.solver.priors.initial_pose});
   if (arguments.scan == "-" && arguments.map == "-") {
     throw std::invalid_argument("SCAN, MAP: only one can be stdin");
   }
@@ -117,9 +115,11 @@ void add_localise_command(CLI::App& app, Work& work) {
   add_required_verdict(command, arguments->required);
   constexpr const char* kOutput = "Output";
   command.add_option("-o,--output", arguments->transform, "Write the 4 x 4 transform")
+      ->check(not_empty())
       ->type_name("T.txt")
       ->group(kOutput);
   command.add_option("--aligned", arguments->aligned, "Write the scan after the transform")
+      ->check(not_empty())
       ->type_name("CLOUD")
       ->group(kOutput);
   arguments->output.add_to(command);

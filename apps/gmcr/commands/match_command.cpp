@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include "arguments/arguments.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/version.hpp"
@@ -27,7 +29,8 @@ struct MatchArguments {
 };
 
 ExitCode run_match(const MatchArguments& arguments) {
-  check_matches_output(arguments.matches);
+  check_outputs({{arguments.matches, Content::Matches}},
+                {arguments.clouds.source, arguments.clouds.target});
   const CloudFiles files(arguments.clouds);
   const ReadPair pair(files.source, files.target, arguments.clouds.reading);
   const Stopwatch stopwatch;
@@ -80,6 +83,7 @@ void add_match_command(CLI::App& app, Work& work) {
       command, [](const std::string& name) { return name != "max_attempts" && name != "refine"; });
   command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
       ->required()
+      ->check(not_empty())
       ->type_name("MATCHES");
   add_scale(command, arguments->options);
   add_flags(command, arguments->options,

@@ -4,6 +4,8 @@
 
 #include "arguments/arguments.hpp"
 #include "arguments/option_flags.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/localisation.hpp"
@@ -56,7 +58,7 @@ Prepared prepare(const PrepareArguments& arguments, const Points& points, const 
 }
 
 ExitCode run_prepare(const PrepareArguments& arguments) {
-  check_output(arguments.path);
+  check_outputs({{arguments.path, Content::Text}}, {arguments.cloud});
   const InputFile file(arguments.cloud);
   const Points points = read_points(file, arguments.reading);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  // the file does not say
@@ -89,6 +91,7 @@ void add_prepare_command(CLI::App& app, Work& work) {
   command.add_option("CLOUD", arguments->cloud, "Cloud to prepare, or - for stdin")->required();
   command.add_option("-o,--output", arguments->path, "File to write, .ply")
       ->required()
+      ->check(not_empty())
       ->type_name("PREPARED.ply");
   command.add_flag(
       "--map", arguments->is_map,

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include "arguments/arguments.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "input/read_points.hpp"
@@ -54,13 +56,14 @@ struct RegisterArguments {
   Verdict required = Verdict::Untrusted;
 };
 
-/// What could not be written is found before the work, not after it.
-void check_outputs(const RegisterArguments& arguments) {
-  for (const std::string& path : {arguments.transform, arguments.json_file, arguments.report}) {
-    if (!path.empty()) check_output(path);
-  }
-  if (!arguments.aligned.empty()) check_cloud_output(arguments.aligned);
-  if (!arguments.matches.empty()) check_matches_output(arguments.matches);
+void check_files(const RegisterArguments& arguments) {
+  check_outputs(
+      {{arguments.transform, Content::Transform},
+       {arguments.json_file, Content::Text},
+       {arguments.report, Content::Text},
+       {arguments.aligned, Content::Cloud},
+       {arguments.matches, Content::Matches}},
+      {arguments.clouds.source, arguments.clouds.target, arguments.solver.priors.initial_pose});
 }
 
 /// Writes the files that need a pose, and returns the paths of all that were written.
@@ -117,7 +120,7 @@ ExitCode run_register(const RegisterArguments& arguments) {
   Options options = arguments.solver.resolved();
   arguments.clouds.frontend.validate();
   arguments.instances.limits.validate();
-  check_outputs(arguments);
+  check_files(arguments);
   const CloudFiles files(arguments.clouds);
   const ReadPair pair(files.source, files.target, arguments.clouds.reading);
   std::vector<CloudResult> results;
@@ -162,7 +165,7 @@ void add_register_command(CLI::App& app, Work& work) {
   constexpr const char* kOutput = "Output";
   const auto add_path = [&](const char* name, std::string& path, const char* help,
                             const char* type) {
-    command.add_option(name, path, help)->type_name(type)->group(kOutput);
+    command.add_option(name, path, help)->check(not_empty())->type_name(type)->group(kOutput);
   };
   add_path("-o,--output", arguments->transform, "Write the 4 x 4 transform, of the first instance",
            "T.txt");

@@ -2,6 +2,8 @@
 
 #include "arguments/arguments.hpp"
 #include "arguments/choice.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/registration.hpp"
@@ -78,10 +80,10 @@ ExitCode run_solve(const SolveArguments& arguments) {
   if (!arguments.report_path.empty()) require_html_reports();
   Options options = arguments.solver.resolved();
   arguments.instances.limits.validate();
-  for (const std::string& path :
-       {arguments.transform_path, arguments.inliers_path, arguments.report_path}) {
-    if (!path.empty()) check_output(path);
-  }
+  check_outputs({{arguments.transform_path, Content::Transform},
+                 {arguments.inliers_path, Content::Text},
+                 {arguments.report_path, Content::Text}},
+                {arguments.matches, arguments.solver.priors.initial_pose});
   const InputFile file(arguments.matches);
   const Matches matches = file.read([](const auto& path) { return read_matches(path); });
   say_notes(file, matches.notes);
@@ -133,16 +135,19 @@ void add_solve_command(CLI::App& app, Work& work) {
   command
       .add_option("-o,--output", arguments->transform_path,
                   "Write the 4 x 4 transform, of the first instance")
+      ->check(not_empty())
       ->type_name("T.txt")
       ->group(kOutput);
   command
       .add_option("--inliers", arguments->inliers_path,
                   "Write its inlier indices, from 0, one a line")
+      ->check(not_empty())
       ->type_name("FILE")
       ->group(kOutput);
   command
       .add_option("--report", arguments->report_path,
                   "Write a page with pictures (needs the Python package)")
+      ->check(not_empty())
       ->type_name("FILE.html")
       ->group(kOutput);
   arguments->output.add_to(command);

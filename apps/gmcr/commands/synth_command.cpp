@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "arguments/option_flags.hpp"
+#include "arguments/output_files.hpp"
+#include "arguments/validators.hpp"
 #include "commands/commands.hpp"
 #include "gmcr/io.hpp"
 #include "gmcr/synthetic.hpp"
@@ -70,10 +72,10 @@ std::vector<Index> inliers_of(const SyntheticProblem& problem) {
 
 ExitCode run_synth(const SynthArguments& arguments) {
   const SyntheticOptions& options = arguments.options;
-  check_matches_output(arguments.matches);
-  for (const std::string& path : {arguments.truth, arguments.inliers}) {
-    if (!path.empty()) check_output(path);
-  }
+  check_outputs({{arguments.matches, Content::Matches},
+                 {arguments.truth, Content::Transform},
+                 {arguments.inliers, Content::Text}},
+                {arguments.model});
   const SyntheticProblem problem =
       arguments.model.empty()
           ? make_synthetic(options)
@@ -118,9 +120,13 @@ void add_synth_command(CLI::App& app, Work& work) {
   CLI::App& command = *app.add_subcommand("synth", "Reproducible problem with its truth");
   command.add_option("-o,--output", arguments->matches, "Matches to write, .csv or .npy")
       ->required()
+      ->check(not_empty())
       ->type_name("MATCHES");
-  command.add_option("--truth", arguments->truth, "True transform to write")->type_name("T.txt");
+  command.add_option("--truth", arguments->truth, "True transform to write")
+      ->check(not_empty())
+      ->type_name("T.txt");
   command.add_option("--inliers", arguments->inliers, "True inlier indices to write")
+      ->check(not_empty())
       ->type_name("FILE");
   command.add_option("--model", arguments->model, "Cloud to take points from, or - for stdin")
       ->type_name("CLOUD");
