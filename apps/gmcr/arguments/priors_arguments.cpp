@@ -9,7 +9,7 @@
 
 #include "arguments/option_flags.hpp"
 #include "arguments/validators.hpp"
-#include "input/read_estimate.hpp"
+#include "input/read_pose.hpp"
 #include "options/table.hpp"
 
 namespace gmcr::cli {

@@ -8,6 +8,7 @@
 #include "gmcr/version.hpp"
 #include "input/input_file.hpp"
 #include "input/read_estimate.hpp"
+#include "input/read_pose.hpp"
 #include "output/json.hpp"
 #include "output/report.hpp"
 

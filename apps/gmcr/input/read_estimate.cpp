@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "gmcr/io.hpp"
-#include "input/input_file.hpp"
 #include "output/json.hpp"
 
 namespace gmcr::cli {
@@ -44,13 +43,6 @@ bool is_json(const std::filesystem::path& path) {
 Estimate read_estimate(const std::filesystem::path& path) {
   if (is_json(path)) return parse_json(path);
   return {"ok", read_transform(path)};
-}
-
-Similarity read_pose(const std::string& path) {
-  const InputFile file(path);
-  const Estimate estimate = file.read(&read_estimate);
-  if (estimate.status == "ok") return estimate.pose;
-  throw IoError(file.name(), 0, "a result of status '" + estimate.status + "' has no pose");
 }
 
 }  // namespace gmcr::cli

@@ -17,8 +17,4 @@ struct Estimate {
 /// @throws IoError where it is neither.
 Estimate read_estimate(const std::filesystem::path& path);
 
-/// The pose of what `read_estimate` reads, also from stdin or a pipe.
-/// @throws IoError as it, and where the result has no pose.
-Similarity read_pose(const std::string& path);
-
 }  // namespace gmcr::cli
