@@ -49,7 +49,8 @@ void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<std
   std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(taken),
                [](const std::string& path) { return !path.empty() && path != "-"; });
   const std::size_t num_inputs = taken.size();
-  for (const auto& [path, content] : outputs) {
+  for (const OutputFile& output : outputs) {
+    const std::string& path = output.path;
     if (path.empty()) continue;
     const auto other = std::find_if(taken.begin(), taken.end(),
                                     [&](const std::string& each) { return are_same(path, each); });
@@ -60,10 +61,10 @@ void check_outputs(const std::vector<OutputFile>& outputs, const std::vector<std
                       is_input ? "a file that is read" : "another file that is written"));
     }
     taken.push_back(path);
-    if (content == Content::Transform) check_transform(path);
-    if (content == Content::Cloud) {
+    if (output.content == Content::Transform) check_transform(path);
+    if (output.content == Content::Cloud) {
       check_cloud_output(path);
-    } else if (content == Content::Matches) {
+    } else if (output.content == Content::Matches) {
       check_matches_output(path);
     } else {
       check_output(path);

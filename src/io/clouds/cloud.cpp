@@ -166,6 +166,7 @@ namespace {
 double far_magnitude(const PointsRef& points, const std::vector<Index>& rows) {
   constexpr double kFarShare = 1e9;
   std::vector<double> magnitudes;
+  magnitudes.reserve(rows.size());
   for (const Index i : rows) magnitudes.push_back(points.col(i).cwiseAbs().maxCoeff());
   const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
   std::nth_element(magnitudes.begin(), middle, magnitudes.end());

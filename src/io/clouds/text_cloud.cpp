@@ -52,7 +52,9 @@ ColumnChoice choose_unnamed(const TableShape& shape, bool is_csv) {
   }
   constexpr std::size_t kFewRows = 4;
   constexpr std::size_t kManyColumns = 20;
-  if (shape.num_rows <= kFewRows && shape.num_columns > kManyColumns) {
+  const bool is_numeric = std::all_of(shape.columns.begin(), shape.columns.end(),
+                                      [](const ColumnFacts& facts) { return facts.is_numeric; });
+  if (is_numeric && shape.num_rows <= kFewRows && shape.num_columns > kManyColumns) {
     throw std::invalid_argument(std::to_string(shape.num_rows) + " rows of " +
                                 std::to_string(shape.num_columns) +
                                 " columns: a row is a point, so it may have to be transposed");

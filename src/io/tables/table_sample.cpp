@@ -190,24 +190,20 @@ TableHeader find_header(const std::vector<TableLine>& before, char separator,
 
 std::vector<std::string_view> split_quoted(std::string_view line, char separator) {
   const bool is_blank = separator == ' ';
-  std::vector<std::string_view> cells;
-  if (line.find('"') == std::string_view::npos) {
-    cells = is_blank ? split_words(line) : split_cells(line, separator);
-  } else {
-    const auto separates = [&](char c) {
-      return is_blank ? trim({&c, 1}).empty() : c == separator;
-    };
-    bool is_inside = false;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-      const std::string_view cell = trim(line.substr(begin, i - begin));
-      if (i < line.size() && line[i] == '"' && (is_inside || cell.empty())) is_inside = !is_inside;
-      if (i < line.size() && (is_inside || !separates(line[i]))) continue;
-      if (!is_blank || !cell.empty()) cells.push_back(cell);
-      begin = i + 1;
-    }
+  if (line.find('"') == std::string_view::npos && line.find('\'') == std::string_view::npos) {
+    return is_blank ? split_words(line) : split_cells(line, separator);
   }
-  std::transform(cells.begin(), cells.end(), cells.begin(), unquoted);
+  const auto separates = [&](char c) { return is_blank ? trim({&c, 1}).empty() : c == separator; };
+  std::vector<std::string_view> cells;
+  bool is_inside = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    const std::string_view cell = trim(line.substr(begin, i - begin));
+    if (i < line.size() && line[i] == '"' && (is_inside || cell.empty())) is_inside = !is_inside;
+    if (i < line.size() && (is_inside || !separates(line[i]))) continue;
+    if (!is_blank || !cell.empty()) cells.push_back(unquoted(cell));
+    begin = i + 1;
+  }
   return cells;
 }
 
