@@ -59,6 +59,10 @@ std::vector<Seed> seeds() {
       {"c.pcd", compressed_pcd()},
       {"a.xyz", "//X;Y;Z\n3\n1,5;2,25;3\n4;5;6\n7;8;nan\n"},
       {"a.csv", "id,x,y,z\na,1,2,3\nb,4,5,6e-3\n"},
+      {"b.csv", "\"x, m\",z,y,i\nm,m,m,-\nNA,,-,1\n\"1,5\",\"3\",'2',a\n4,6,5,\"b c\"\n"},
+      {"c.ply", "ply\nformat ascii 1.0\n" + vertex +
+                    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                    "0 0 1\n1 0 1\n0 1 1\n1 1 1\n8 0 1 2 3 -1 1 2 3\n"},
       {"a.pts", "2\n1 2 3 4 5 6\n4 5 6 7 8 9\n"},
       {"a.npy", npy()},
       {"a.bin", numbers(12)},

@@ -29,7 +29,8 @@ class Cloud:
     points : ndarray of float64, shape (N, 3)
         N >= 1, finite, in the order and the unit of the file.
     num_dropped : int
-        Points of the file that are not finite, mark no return, or that the file calls invalid.
+        Points of the file that are not finite, a billion times as far as the others, mark no
+        return, or that the file calls invalid.
     notes : tuple of str
         What was dropped or had to be decided to read the file, as sentences.
     """

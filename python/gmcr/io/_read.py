@@ -63,11 +63,11 @@ def read_cloud(
     Parameters
     ----------
     path : path-like
-        ``.ply``, ``.pcd``, ``.npy`` (N, 3), text tables (``.xyz``, ``.txt``, ``.asc``, ``.pts``,
-        ``.csv``: columns x, y, z by name, or the first three), ``.bin`` (KITTI), ``.pcd.bin``
-        (nuScenes), meshes (``.obj``, ``.off``, ``.stl``, ``.ply`` with faces), ``.las``, ``.laz``,
-        ``.e57`` (its scans together, in the frame of the file), or a recording: ``.bag``,
-        ``.mcap``, ``.db3`` or the folder of a ROS 2 bag.
+        ``.ply``, ``.pcd``, ``.npy`` (N, 3 or more), text tables (``.xyz``, ``.txt``, ``.asc``,
+        ``.pts``, ``.csv``: columns x, y, z by name, or the first three), ``.bin`` (KITTI),
+        ``.pcd.bin`` (nuScenes), meshes (``.obj``, ``.off``, ``.stl``, ``.ply`` with faces),
+        ``.las``, ``.laz``, ``.e57`` (its scans together, in the frame of the file), or a
+        recording: ``.bag``, ``.mcap``, ``.db3`` or the folder of a ROS 2 bag.
     topic : str, optional
         Topic of the recording; not needed where only one has clouds.
     index : int
