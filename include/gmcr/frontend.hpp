@@ -114,7 +114,8 @@ struct SurfaceFit {
   double agreement = 0;     ///< share of the voxels that meet whose normals are within 26 degrees
   double noise = 0;         ///< standard deviation of the distance along the normals, metres
   std::vector<WeakDirection> weak_directions;  ///< what the surfaces leave open, weakest first
-  /// Share of a cloud that lies where the other sensor saw through; 0 where no viewpoint is known.
+  /// Share of a cloud that lies where the other sensor saw through; 0 where no viewpoint is known,
+  /// and without refinement.
   double contradicted = 0;
 
   /// Sum of the two shares: of two poses on the same voxels the better one has more.
@@ -134,6 +135,8 @@ struct JudgedVoxels {
   Points target;                 ///< 3 x Q, metres
   double source_voxel_size = 0;  ///< metres, source frame
   double target_voxel_size = 0;  ///< metres, target frame
+  /// Where the sensors were, metres, where the clouds may be views from there.
+  std::optional<Eigen::Vector3d> source_viewpoint = {}, target_viewpoint = {};
 };
 
 /// What a registration of two clouds found.
@@ -160,16 +163,17 @@ struct CloudResult {
   int num_attempts = 0;        ///< front-end settings that were tried
   Refinement refinement;       ///< what the alignment of the surfaces did
   SurfaceFit surfaces;         ///< of the pose
-  /// Whether the mirrored source was tried alike and is worse, so that the surfaces lie apart by the
-  /// noise of the sensor, not because one of the clouds is left-handed: where it was matched, it has
-  /// clearly less evidence; where it was turned, it overlaps less.
+  /// Whether the mirrored source was tried alike and is worse, so that the surfaces lie apart by
+  /// the noise of the sensor, not because one of the clouds is left-handed: where it was matched,
+  /// it has clearly less evidence; where it was turned, it overlaps less.
   bool mirrored_is_worse = false;
   /// Whether the mirrored source meets the target better: one of the clouds is left-handed.
   bool mirrored_is_better = false;
   /// Whether the source was turned all around, as a whole object that the target shows, so that the
   /// surfaces found the pose and not the matches.
   bool found_by_turning = false;
-  /// Other poses at which the surfaces meet about as well: symmetry or repetition. Best first.
+  /// Other poses that could be meant, by symmetry or repetition: the surfaces meet about as well,
+  /// or matches speak for them too and nothing that the sensors saw contradicts them. Best first.
   std::vector<RivalPose> rivals;
   /// What is odd about the clouds and may have gone wrong before they came here, a sentence each:
   /// repeated points, quantised coordinates, unlike units, a mirrored cloud, an unknown viewpoint.

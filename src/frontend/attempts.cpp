@@ -139,6 +139,8 @@ void Attempts::see(CentredPair& pair) {
     }
   }
   std::tie(pair.source_view, pair.target_view) = *views_;
+  if (pair.source_view) voxels_.source_viewpoint = frontend_.source_viewpoint;
+  if (pair.target_view) voxels_.target_viewpoint = frontend_.target_viewpoint;
 }
 
 /// Judges the pose of the matches as it is.
@@ -305,9 +307,8 @@ void Attempts::compare_with_rivals() {
 bool Attempts::fits_mirrored() const {
   Points points = voxels_.source;
   points.row(0) *= -1;
-  const auto mirrored =
-      std::make_shared<CentredPair>(points, voxels_.target, voxels_.source_voxel_size,
-                                    voxels_.target_voxel_size, options_.num_threads);
+  const auto mirrored = std::make_shared<CentredPair>(
+      points, voxels_.source_voxel_size, pair_->shared_target(), pair_->target_centre());
   SurfaceJudge judge(pair_, voxels_.target_voxel_size, options_);
   SurfaceJudge mirrored_judge(mirrored, voxels_.target_voxel_size, options_);
   const Similarity& pose = best_.candidate.target_from_source;
@@ -338,6 +339,7 @@ CloudResult Attempts::settled() {
       compare_with_rivals();
       if (result.verdict == Verdict::Trusted && options_.admit_all() && fits_mirrored()) {
         result.mirrored_is_better = true;
+        judge(result);
       }
       result = settle(std::move(result), source_.points(), target_.points(), *pair_, best_.matched,
                       options_, deadline_);

@@ -92,9 +92,9 @@ CloudResult refine_clouds(CloudResult result, const PointsRef& source, const Poi
     return result;
   }
   const auto voxels = frontend::centred_pair(result.voxels, options.num_threads);
-  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  voxels->source_view = frontend::view_from(origin, source);
-  voxels->target_view = frontend::view_from(origin, target);
+  const auto& [from, to] = std::tie(result.voxels.source_viewpoint, result.voxels.target_viewpoint);
+  if (from) voxels->source_view = frontend::view_from(*from, source);
+  if (to) voxels->target_view = frontend::view_from(*to, target);
   frontend::Hypotheses hypotheses(voxels, result.voxels.target_voxel_size, options, deadline);
   if (result.found_by_turning) hypotheses.expect_no_matches();
   const frontend::Candidate candidate = hypotheses.approach(matched, result.rivals);

@@ -76,7 +76,8 @@ CloudResult frontend::register_scales(CloudScales& source, CloudScales& target,
       mirrored_with = attempts.best_setting();
       const auto mirrored =
           frontend::register_mirrored(source, target, frontend, options, *mirrored_with, deadline);
-      if (mirrored && is_worse(*mirrored, attempts.best().result)) {
+      const bool is_whole = mirrored && !deadline.expired();
+      if (is_whole && is_worse(*mirrored, attempts.best().result)) {
         attempts.know_mirrored_is_worse();
       }
     }

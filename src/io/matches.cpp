@@ -71,9 +71,9 @@ std::vector<std::size_t> joined(const io::Axes& source, const io::Axes& target) 
 /// Source and target of a table whose names do not tell them apart: the first is the source.
 io::ColumnChoice unnamed_sides(const io::TableShape& shape, const std::optional<std::size_t>& bound,
                                const std::vector<io::NamedPoint>& points) {
-  std::vector<std::size_t> columns = columns_in_order(shape, bound);
+  const std::vector<std::size_t> columns =
+      points.size() == 2 ? joined(points[0].axes, points[1].axes) : columns_in_order(shape, bound);
   if (shape.names.empty()) return {columns, {}};
-  if (points.size() == 2) columns = joined(points[0].axes, points[1].axes);
   return {
       columns,
       {"columns " + io::quoted_names(shape.names, {columns.begin(), columns.begin() + 3}) +

@@ -248,6 +248,10 @@ TEST(FreeSpace, IsNotFilledByWhatTheOtherSensorShouldHaveSeen) {
 TEST(Verdict, DoubtsWhatTheSensorsSawThroughUnlessMatchesAreBeyondDoubt) {
   CloudResult result = good_result();
   result.surfaces.contradicted = 0.05;
+  result.voxels.source_viewpoint = Vector3d::Zero();
+  judge(result);
+  EXPECT_EQ(result.verdict, Verdict::Trusted) << result.verdict_reason;
+  result.voxels.target_viewpoint = Vector3d::Zero();
   judge(result);
   EXPECT_EQ(result.verdict, Verdict::Doubtful);
   EXPECT_NE(result.verdict_reason.find("5 % of a cloud lie where"), std::string::npos)

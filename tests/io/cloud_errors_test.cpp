@@ -148,6 +148,10 @@ TEST(NpyHeader, ThatIsNotAnNByThreeFloatArrayIsAnError) {
   expect("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 1), }", "expected (N, 3)");
   expect("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }", "does not fit");
   expect("{'descr': '<f8', 'fortran_order': False, 'shape': (768614336404564651, 3), }", "not fit");
+  expect(
+      "{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693953, "
+      "2305843009213693952), }",
+      "expected (N, 3)");
   expect("{'descr': '<f8', 'fortran_order': False, }", "malformed");
   expect("{'descr': '<f8', 'fortran_order': Maybe, 'shape': (1, 3), }", "malformed");
   expect("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), 'more': 1}", "malformed");

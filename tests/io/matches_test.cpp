@@ -71,6 +71,7 @@ TEST(ReadMatches, KnowsSourceAndTargetByWhatTheirColumnsAreCalledInAnyOrder) {
         "to_x,to_y,to_z,from_x,from_y,from_z", "X1,Y1,Z1,X0,Y0,Z0", "x_b,y_b,z_b,x_a,y_a,z_a",
         "ref_x,ref_y,ref_z,mov_x,mov_y,mov_z", "fixed.x,fixed.y,fixed.z,moving.x,moving.y,moving.z",
         "X Dest,Y Dest,Z Dest,X Source,Y Source,Z Source", "tgt_x,tgt_y,tgt_z,src_x,src_y,src_z",
+        "target_x,target_y,target_z,x,y,z", "x,y,z,source_x,source_y,source_z",
         "kp1_x,kp1_y,kp1_z,kp0_x,kp0_y,kp0_z", "zTarget,yTarget,xTarget,zSource,ySource,xSource",
         "N2 [m],E2 [m],H2 [m],N1 [m],E1 [m],H1 [m]"}) {
     const bool is_zyx = header[0] == 'z';
@@ -83,6 +84,18 @@ TEST(ReadMatches, KnowsSourceAndTargetByWhatTheirColumnsAreCalledInAnyOrder) {
     EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}})) << header;
     EXPECT_TRUE(matches.notes.empty()) << header;
   }
+}
+
+TEST(ReadMatches, LeavesOutFurtherColumnsEvenThoseThatAreTwice) {
+  const TemporaryFolder folder;
+  const Matches matches = read_matches(
+      folder.write("a.csv", "ax,ay,az,bx,by,bz,nx,ny,nz,nx,ny,nz\n1,2,3,4,5,6,0,0,1,0,0,1\n"));
+  EXPECT_EQ(matches.source, (Points{{1}, {2}, {3}}));
+  EXPECT_EQ(matches.target, (Points{{4}, {5}, {6}}));
+  const Matches others = read_matches(
+      folder.write("a.csv", "id,model_x,model_y,model_z,scene_x,scene_y,scene_z\n7,1,2,3,4,5,6\n"));
+  EXPECT_EQ(others.source, (Points{{1}, {2}, {3}}));
+  EXPECT_EQ(others.target, (Points{{4}, {5}, {6}}));
 }
 
 TEST(ReadMatches, TakesTheFirstSideForTheSourceWhereTheNamesDoNotTellAndSaysSo) {

@@ -72,6 +72,8 @@ TEST(TextCloud, KnowsCoordinatesByManyNames) {
                              "i,H\xC3\xB6he,Hochwert,Rechtswert",
                              "i,H\xF6he,Hochwert,Rechtswert",
                              "i,Height (m),Northing (m),Easting (m)",
+                             "i,H,Y,X",
+                             "u,z,northing,easting",
                              "z_local,z,y,x"}) {
     const std::string text = header + std::string("\n9,-3,2.5,1.5\n9,6,5.25,4.5\n");
     EXPECT_EQ(read_cloud(folder.write("a.csv", text)).points, kTwoOfText) << header;

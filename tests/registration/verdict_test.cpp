@@ -132,6 +132,21 @@ TEST(Verdict, DoesNotTrustNearestNeighboursOfCloudsThatLieApart) {
   EXPECT_GT(num_named, 5);
 }
 
+TEST(Verdict, TrustsNoisyMatchesWhoseTargetsAreAboutTheNearest) {
+  testing::RandomGeometry random(4);
+  for (const double noise : {0.02, 0.05, 0.1}) {  // points lie about 0.06 apart
+    const Points source = random.in_cube(1000);
+    Points target = source;
+    for (auto point : target.colwise()) point += noise / 2 * random.normal() * random.unit();
+    for (const double bound : {noise / 3, noise / 2, noise}) {
+      Options options;
+      options.noise_bound = bound;
+      const Result result = register_correspondences(source, target, options);
+      EXPECT_EQ(result.verdict, Verdict::Trusted) << noise << " " << result.verdict_reason;
+    }
+  }
+}
+
 TEST(Verdict, OfAPoseWhoseRivalHasAsMuchEvidenceIsDoubtful) {
   testing::RandomGeometry random(3);
   const Points source = random.in_cube(80);

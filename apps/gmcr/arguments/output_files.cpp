@@ -22,7 +22,8 @@ bool are_same(const fs::path& a, const fs::path& b) {
   const auto whole = [&](const fs::path& path) {
     return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
   };
-  return fs::equivalent(a, b, ignored) || whole(a) == whole(b);
+  const fs::path path = whole(a);
+  return fs::equivalent(a, b, ignored) || (!path.empty() && path == whole(b));
 }
 
 /// A transform is a text, so the name of a cloud is most likely meant for the moved one.

@@ -31,6 +31,8 @@ class CentredPair {
   /// Metres, the caller's frame.
   const Eigen::Vector3d& source_centre() const { return source_centre_; }
   const Eigen::Vector3d& target_centre() const { return target_centre_; }
+  /// For other pairs with this target.
+  const std::shared_ptr<SurfaceCloud>& shared_target() const { return shared_target_; }
 
  private:
   struct Parts {

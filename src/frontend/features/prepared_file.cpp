@@ -215,6 +215,10 @@ void read_surface(Reader& reader, KnownSurface& known) {
   if (!known.voxels.allFinite() || !known.normals.allFinite() || !known.features.allFinite()) {
     refuse("a number of its voxels is not finite");
   }
+  constexpr float kMost = 1000;  // each third of a feature sums to 200 at most
+  if (known.features.size() > 0 && !(known.features.cwiseAbs().maxCoeff() <= kMost)) {
+    refuse("a feature of its voxels is none");
+  }
 }
 
 }  // namespace

@@ -92,11 +92,12 @@ Candidate Hypotheses::challenged(const Candidate& candidate) {
     return peeked.overlap < kWorthAGlance * candidate.overlap;
   });
   add(poses_of(turned), [&] { return candidate; });
-  Candidate best = candidate;
+  const Candidate* best = &candidate;
   for (const Candidate& other : seen_) {
-    if (is_better(other, candidate) && other.overlap > best.overlap) best = other;
+    const bool is_first = best == &candidate;
+    if (is_better(other, candidate) && (is_first || other.overlap > best->overlap)) best = &other;
   }
-  return best;
+  return *best;
 }
 
 std::vector<Candidate> Hypotheses::better_than(const Candidate& candidate) const {

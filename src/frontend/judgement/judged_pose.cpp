@@ -103,7 +103,12 @@ CloudResult with_pose(CloudResult result, const Similarity& target_from_source,
   const Similarity& own = result.registration.target_from_source;
   if (target_from_source.matrix() == own.matrix()) return result;
   result.found_by_turning = false;
-  return frontend::repose(std::move(result), target_from_source, *voxels, options);
+  // without the clouds what their sensors saw is not known; what they said before is not forgotten
+  const double contradicted = result.surfaces.contradicted;
+  result = frontend::repose(std::move(result), target_from_source, *voxels, options);
+  result.surfaces.contradicted = contradicted;
+  frontend::judge(result);
+  return result;
 }
 
 }  // namespace gmcr

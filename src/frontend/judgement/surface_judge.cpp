@@ -40,27 +40,25 @@ SurfaceJudge::SurfaceJudge(std::shared_ptr<CentredPair> pair, double voxel, cons
   axes_ = solver.eigenvectors();
   variances_ = solver.eigenvalues();
   centroid_ = pair_->source_centre();
-  find_facing();
 }
 
-/// The axes of the normals of some of the source, which are those of a room, and the middle of its
-/// extents, but for a few strays.
-void SurfaceJudge::find_facing() {
+/// By some of its points, but for a few strays.
+SurfaceJudge::Box SurfaceJudge::box_of_source() const {
   SurfaceCloud& source = pair_->source;
   const Samples samples = sample_side(source, true, kFewSamples);
   source.require_normals(samples.columns, options_.num_threads);
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   for (const Index i : samples.columns) squares += source.normal(i) * source.normal(i).transpose();
-  facing_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares).eigenvectors();
+  Box box{Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares).eigenvectors(), centroid_};
   const auto strays =
       static_cast<std::size_t>(kStrays * static_cast<double>(samples.columns.size()));
-  middle_ = centroid_;
-  for (const auto axis : facing_.colwise()) {
+  for (const auto axis : box.axes.colwise()) {
     std::vector<double> places;
     for (const Index i : samples.columns) places.push_back(axis.dot(source.point(i)));
     std::sort(places.begin(), places.end());
-    middle_ += axis * (places[strays] + places[places.size() - 1 - strays]) / 2;
+    box.middle += axis * (places[strays] + places[places.size() - 1 - strays]) / 2;
   }
+  return box;
 }
 
 Candidate SurfaceJudge::look(const Similarity& start, const RefinementScale& scale,
@@ -120,7 +118,8 @@ std::vector<Similarity> SurfaceJudge::half_turns(const Similarity& pose) const {
     if (options_.admit(candidate)) turned.push_back(candidate);
   };
   for (const auto axis : axes_.colwise()) add(axis, centroid_);
-  for (const auto axis : facing_.colwise()) add(axis, middle_);
+  const Box box = box_of_source();
+  for (const auto axis : box.axes.colwise()) add(axis, box.middle);
   return turned;
 }
 
@@ -135,7 +134,8 @@ std::vector<Similarity> SurfaceJudge::reflections(const Similarity& pose) const 
     reflected.push_back(pose * turn);
   };
   for (const auto axis : axes_.colwise()) add(axis, centroid_);
-  for (const auto axis : facing_.colwise()) add(axis, middle_);
+  const Box box = box_of_source();
+  for (const auto axis : box.axes.colwise()) add(axis, box.middle);
   return reflected;
 }
 

@@ -72,7 +72,12 @@ class SurfaceJudge {
   bool is_symmetry(const Similarity& a, const Similarity& b);
 
  private:
-  void find_facing();
+  /// Axes of the normals of the source, which are those of a room, and the middle of its extents.
+  struct Box {
+    Eigen::Matrix3d axes;    ///< columns
+    Eigen::Vector3d middle;  ///< metres
+  };
+  Box box_of_source() const;
   Candidate look(const Similarity& start, const RefinementScale& scale, const Options& options,
                  const parallel::Deadline& deadline);
   std::vector<Candidate> look_at_all(const std::vector<Similarity>& starts,
@@ -84,8 +89,6 @@ class SurfaceJudge {
   Eigen::Vector3d centroid_;   ///< of the source, metres
   Eigen::Matrix3d axes_;       ///< principal axes of the source, columns
   Eigen::Vector3d variances_;  ///< of the source along them, square metres
-  Eigen::Matrix3d facing_;     ///< axes of the normals of the source, columns
-  Eigen::Vector3d middle_;     ///< of the extents of the source along these, metres
   const Options& options_;
   Options alone_;  ///< the same for one thread, of those that look at many starts
 };

@@ -130,7 +130,11 @@ Opinion by_handedness(const CloudResult& result) {
 /// What the sensors saw.
 Opinion by_free_space(const CloudResult& result) {
   const double share = result.surfaces.contradicted;
-  if (share <= kMostContradicted || result.distinct_evidence >= kBeyondDoubt) return {};
+  // a map, or a model, may hold what was carried away since
+  const bool are_views = result.voxels.source_viewpoint && result.voxels.target_viewpoint;
+  if (!are_views || share <= kMostContradicted || result.distinct_evidence >= kBeyondDoubt) {
+    return {};
+  }
   return {Verdict::Doubtful, std::to_string(std::lround(100 * share)) +
                                  " % of a cloud lie where the other sensor saw through"};
 }

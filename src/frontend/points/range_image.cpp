@@ -1,5 +1,6 @@
 #include "frontend/points/range_image.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -202,7 +202,11 @@ Eigen::MatrixXd parse_npy(const std::filesystem::path& path, std::string_view by
                       "'<f4' or integers");
   }
   const auto& shape = header->shape;
-  const auto is_wider = [&] { return shape[1] > num_columns.back() && shape[0] > shape[1]; };
+  // wider than the data would overflow
+  const auto is_wider = [&] {
+    return shape[1] > num_columns.back() && shape[0] > shape[1] &&
+           static_cast<std::uint64_t>(shape[1]) <= parts.data.size();
+  };
   if (shape.size() != 2 ||
       (std::find(num_columns.begin(), num_columns.end(), shape[1]) == num_columns.end() &&
        !(allows_more && is_wider()))) {

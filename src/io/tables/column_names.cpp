@@ -14,12 +14,13 @@ namespace {
 enum class Axis { X, Y, Z, East, North, Up, UpLetter };
 
 /// Coordinates that make a point, in the order in which they are sought.
-constexpr std::array<std::array<Axis, 3>, 5> kFrames = {{
+constexpr std::array<std::array<Axis, 3>, 6> kFrames = {{
     {Axis::X, Axis::Y, Axis::Z},
     {Axis::X, Axis::Y, Axis::Up},
+    {Axis::X, Axis::Y, Axis::UpLetter},
+    {Axis::East, Axis::North, Axis::Z},
     {Axis::East, Axis::North, Axis::Up},
     {Axis::East, Axis::North, Axis::UpLetter},
-    {Axis::East, Axis::North, Axis::Z},
 }};
 
 constexpr std::pair<std::string_view, Axis> kLetters[] = {
@@ -190,13 +191,20 @@ bool is_match(std::string_view source, std::string_view target) {
 std::vector<NamedPoint> find_points(const std::vector<std::string>& names) {
   const Coordinates coordinates = coordinates_of(names);
   std::vector<NamedPoint> points;
+  std::string ambiguous;
   for (const std::string& owner : owners_of(coordinates)) {
     if (owner == "q" && (holds(names, "qw") || holds(names, "q_w"))) continue;  // a quaternion
-    const auto axes = find_axes(names, coordinates, [&](const Coordinate& coordinate) {
-      return coordinate.owner == owner;
-    });
-    if (axes) points.push_back({owner, *axes});
+    try {
+      const auto axes = find_axes(names, coordinates, [&](const Coordinate& coordinate) {
+        return coordinate.owner == owner;
+      });
+      if (axes) points.push_back({owner, *axes});
+    } catch (const std::invalid_argument& error) {
+      ambiguous = error.what();
+    }
   }
+  // columns that say a thing twice matter where the others do not say enough
+  if (points.size() < 2 && !ambiguous.empty()) throw std::invalid_argument(ambiguous);
   return points;
 }
 
@@ -236,6 +244,17 @@ std::optional<NamedMatch> find_match(const std::vector<NamedPoint>& points) {
       match = {source.axes, target.axes};
     }
   }
+  if (match || points.size() != 2) return match;
+  // the words of one side are enough where the other has none
+  const auto is_of = [](const NamedPoint& point, const auto& side) {
+    const auto words = split_words(point.owner);
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return holds(side, word); });
+  };
+  const bool is_swapped = points[1].owner.empty()
+                              ? is_of(points[0], kTargets)
+                              : points[0].owner.empty() && is_of(points[1], kSources);
+  if (is_swapped) return NamedMatch{points[1].axes, points[0].axes};
   return match;
 }
 

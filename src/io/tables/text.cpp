@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
 #include <limits>
 #include <string>
-
-#include "io/bytes.hpp"
 
 namespace gmcr::io {
 namespace {
@@ -111,10 +108,10 @@ std::optional<std::string> utf8_of_utf16(std::string_view bytes) {
   const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
   if (!has_mark && (bytes[0] == 0) == (bytes[1] == 0)) return std::nullopt;
   const bool is_big = has_mark ? bytes[0] == '\xFE' : bytes[0] == 0;
-  const std::endian order = is_big ? std::endian::big : std::endian::little;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::string text;
   for (std::size_t i = has_mark ? 2 : 0; i + 1 < bytes.size(); i += 2) {
-    const auto code = load<std::uint16_t>(bytes.data() + i, order);
+    const int code = is_big ? byte(i) << 8 | byte(i + 1) : byte(i + 1) << 8 | byte(i);
     if (code < 0x80) {
       text += static_cast<char>(code);
     } else if (code < 0x800) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -73,26 +74,30 @@ double num_single(const problem::CallerCorrespondences& all, const std::vector<I
   return static_cast<double>(single.size());
 }
 
-/// Of an even selection of matches, the share whose target is one of the three nearest to where the
-/// pose puts their source.
-double nearest_share(const Similarity& pose, const PointsRef& source, const PointsRef& target,
-                     const std::vector<Index>& matches) {
+/// Whether an even selection of matches is of nearest neighbours under the pose: for more than half
+/// the target is the nearest one to where the pose puts the source, and about as far as the next
+/// one is. That of a right match with noise is much nearer, or the noise makes others the nearest.
+bool are_nearest(const Similarity& pose, const PointsRef& source, const PointsRef& target,
+                 const std::vector<Index>& matches) {
   constexpr Index kLooks = 32;
-  constexpr int kNearer = 3;
-  const auto count = std::ssize(matches);
-  double num_nearest = 0;
-  const std::vector<Index> chosen = problem::stratified_selection(count, kLooks);
+  constexpr double kMostly = 0.5;
+  constexpr double kAsFar = 0.3;  // mean of the squared ratio; of unrelated points a half and more
+  double num_nearest = 0, sum = 0;
+  const std::vector<Index> chosen = problem::stratified_selection(std::ssize(matches), kLooks);
   for (const Index k : chosen) {
     const Index i = matches[static_cast<std::size_t>(k)];
     const Eigen::Vector3d image = pose * source.col(i);
     const double own = (target.col(i) - image).squaredNorm();
-    int num_nearer = 0;
-    for (Index j = 0; j < target.cols() && num_nearer < kNearer; ++j) {
-      num_nearer += (target.col(j) - image).squaredNorm() < own;
+    double next = std::numeric_limits<double>::infinity();
+    for (Index j = 0; j < target.cols() && next >= own; ++j) {
+      const double square = (target.col(j) - image).squaredNorm();
+      if (square != own) next = std::min(next, square);
     }
-    num_nearest += num_nearer < kNearer;
+    if (next < own) continue;
+    ++num_nearest;
+    sum += own / next;
   }
-  return num_nearest / static_cast<double>(chosen.size());
+  return num_nearest > kMostly * static_cast<double>(chosen.size()) && sum > kAsFar * num_nearest;
 }
 
 /// What is known of a consensus set, and the odds of chance for sets of its pose.
@@ -145,15 +150,17 @@ class Odds {
 
   double distinct_inliers() const { return distinct_inliers_; }
 
-  /// Whether the matches are nearest neighbours under the pose.
-  bool are_made_under(const Similarity& pose, const PointsRef& source,
-                      const PointsRef& target) const {
+  /// Whether the matches are nearest neighbours under the pose, by those that do not agree with it:
+  /// at least half as many as do.
+  bool are_made_under(const Similarity& pose, const problem::CallerCorrespondences& all) const {
     constexpr double kFewest = 20;
-    if (num_others_ < kFewest) return false;
+    if (num_others_ < kFewest || 2 * selection_.others.size() < selection_.inliers.size()) {
+      return false;
+    }
     const bool is_all = selection_.source.cols() == 0;
-    return nearest_share(pose, is_all ? source : PointsRef(selection_.source),
-                         is_all ? target : PointsRef(selection_.target),
-                         selection_.others) > kMadeUnderPose;
+    return are_nearest(pose, is_all ? PointsRef(all.source) : PointsRef(selection_.source),
+                       is_all ? PointsRef(all.target) : PointsRef(selection_.target),
+                       selection_.others);
   }
 
  private:
@@ -244,8 +251,7 @@ void judge(Result& result, const Problem& problem, problem::Run& run) {
   } else if (is_ambiguous(result)) {
     result.verdict = Verdict::Doubtful;
     result.verdict_reason = "ambiguous: another pose has as much evidence";
-  } else if (odds.are_made_under(result.target_from_source, problem.input().source,
-                                 problem.input().target)) {
+  } else if (odds.are_made_under(result.target_from_source, problem.input())) {
     result.verdict = Verdict::Untrusted;
     result.verdict_reason =
         "the matches are nearest neighbours under this pose: they agree because they were made so";
