@@ -136,7 +136,7 @@ struct JudgedVoxels {
   double source_voxel_size = 0;  ///< metres, source frame
   double target_voxel_size = 0;  ///< metres, target frame
   /// Where the sensors were, metres, where the clouds may be views from there.
-  std::optional<Eigen::Vector3d> source_viewpoint = {}, target_viewpoint = {};
+  std::optional<Eigen::Vector3d> source_viewpoint, target_viewpoint;
 };
 
 /// What a registration of two clouds found.

@@ -115,8 +115,12 @@ std::optional<double> Attempts::guessed_scale(const FrontendSetting& setting) {
 }
 
 void Attempts::judge_by_voxels_of(const CloudMatches& matches) {
-  voxels_ = {matches.source_voxels, matches.target_voxels, matches.source_voxel_size,
-             matches.target_voxel_size};
+  voxels_ = {matches.source_voxels,
+             matches.target_voxels,
+             matches.source_voxel_size,
+             matches.target_voxel_size,
+             {},
+             {}};
   pair_ = centred_pair(voxels_, options_.num_threads);
   if (pair_ && refines()) see(*pair_);
   hypotheses_.reset();

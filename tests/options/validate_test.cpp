@@ -137,7 +137,10 @@ TEST(Priors, NameTheFieldThatIsOutOfRange) {
       {"gravity.source", [](Priors& p) { p.gravity->source.setZero(); }},
       {"gravity.source", [](Priors& p) { p.gravity->source[1] = std::nan(""); }},
       {"gravity.source", [](Priors& p) { p.gravity->source[1] = 1e60; }},
-      {"gravity.target", [](Priors& p) { p.gravity->target = {0, 1e-60, 0}; }},
+      {"gravity.target",
+       [](Priors& p) {
+         p.gravity->target = {0, 1e-60, 0};
+       }},
       {"gravity.target", [&](Priors& p) { p.gravity->target[2] = kInfinity; }},
       {"gravity.max_tilt", [](Priors& p) { p.gravity->max_tilt = -0.1; }},
       {"gravity.max_tilt", [](Priors& p) { p.gravity->max_tilt = 30; }},

@@ -183,8 +183,12 @@ void Localisation::answer(const frontend::PlacedScan& placed, frontend::StageClo
   if (matches.target_voxels.cols() < kLeastVoxels) {
     return give_up(Status::NoConsensus, "the map has nothing around the best place");
   }
-  result_.voxels = {matches.source_voxels, matches.target_voxels, matches.source_voxel_size,
-                    matches.target_voxel_size};
+  result_.voxels = {matches.source_voxels,
+                    matches.target_voxels,
+                    matches.source_voxel_size,
+                    matches.target_voxel_size,
+                    {},
+                    {}};
   const auto voxels = frontend::centred_pair(result_.voxels, options_.num_threads);
   frontend::match_by_pose(matches, *voxels, pose, options_.num_threads);
   result_.registration.status = Status::Ok;
