@@ -135,8 +135,9 @@ struct JudgedVoxels {
   Points target;                 ///< 3 x Q, metres
   double source_voxel_size = 0;  ///< metres, source frame
   double target_voxel_size = 0;  ///< metres, target frame
-  /// Where the sensors were, metres, where the clouds may be views from there.
-  std::optional<Eigen::Vector3d> source_viewpoint, target_viewpoint;
+  /// Where the sensor of the source was, metres, where the source may be a view from there.
+  std::optional<Eigen::Vector3d> source_viewpoint;
+  std::optional<Eigen::Vector3d> target_viewpoint;  ///< the same of the target
 };
 
 /// What a registration of two clouds found.
