@@ -158,7 +158,8 @@ bool RangeImage::sees_through(const Eigen::Vector3d& ray, double margin) const {
   const auto pixel = pixel_of(ray);
   if (!pixel) return false;
   const std::size_t cell = cell_of(*pixel);
-  return nearest_[cell]<kNothing&& static_cast<double>(nearest_around_[cell])> ray.norm() + margin;
+  const double nearest = nearest_around_[cell];
+  return nearest_[cell] != kNothing && nearest > ray.norm() + margin;
 }
 
 std::shared_ptr<const RangeImage> view_from(const Eigen::Vector3d& viewpoint,

@@ -29,9 +29,6 @@ constexpr Index kMostJudged = 20'000;
 constexpr Index kMostJudgedInHurry = 2000;
 // Evidence of another pose over that of the pose, above which it may be meant as well.
 constexpr double kAsGood = 0.9;
-// Matches that were made under the pose agree with it by that: of the others, the share whose
-// target is one of the nearest to their source there. Of matches by features it is a few per cent.
-constexpr double kMadeUnderPose = 0.5;
 // Evidence of a match below which some may be copies of others, digit by digit.
 constexpr double kManyCopies = 0.5;
 // A reflection that holds more than the pose by this much is what the data are of.
